@@ -141,6 +141,37 @@ label nearestInterface(const scalarList& interfaces, const scalar z)
 }
 
 
+//- For each point its interface; a mesh that is not flat is an error
+labelList pointInterfaces
+(
+    const pointField& points,
+    const scalarList& interfaces
+)
+{
+    labelList pointInterface(points.size());
+    labelList count(interfaces.size(), 0);
+
+    forAll(points, pointi)
+    {
+        const label i = nearestInterface(interfaces, points[pointi].z());
+        pointInterface[pointi] = i;
+        ++count[i];
+    }
+
+    if (min(count) != max(count))
+    {
+        FatalErrorInFunction
+            << "The mesh is not an extruded flat one: its " << points.size()
+            << " points lie at " << interfaces.size() << " elevations, "
+            << min(count) << " to " << max(count) << " points at each."
+            << " A mesh that terrainMesh has moved must be made anew first"
+            << exit(FatalError);
+    }
+
+    return pointInterface;
+}
+
+
 //- Height above the surface, averaged over a cell's points. The height of its
 //  centre would not do: between the points of a coarse mesh a curved surface
 //  lies above or below the facet that stands for it
@@ -343,6 +374,7 @@ int main(int argc, char *argv[])
     readSurfaces(dict.subDict("surfaces"), runTime.path(), surfaces);
 
     const scalarList interfaces(flatInterfaces(mesh.points()));
+    const labelList pointInterface(pointInterfaces(mesh.points(), interfaces));
     const terrainLayers layers
     (
         dict.subDict("layers"),
@@ -351,14 +383,10 @@ int main(int argc, char *argv[])
     );
 
     pointField points(mesh.points());
-    for (point& p : points)
+    forAll(points, pointi)
     {
-        p.z() = layers.elevation
-        (
-            nearestInterface(interfaces, p.z()),
-            p.x(),
-            p.y()
-        );
+        point& p = points[pointi];
+        p.z() = layers.elevation(pointInterface[pointi], p.x(), p.y());
     }
 
     mesh.movePoints(points);

@@ -41,7 +41,8 @@ static const terrainSurface& namedSurface
     {
         FatalIOErrorInFunction(dict)
             << "No surface '" << name << "' for '" << key
-            << "'; the surfaces are " << surfaces.sortedToc()
+            << "'; the surfaces are "
+            << flatOutput(surfaces.sortedToc())
             << exit(FatalIOError);
     }
 
@@ -79,7 +80,7 @@ Foam::terrainLayers::terrainLayers
     if (depths_.empty() || depths_[0] != 0 || nBelow < 1)
     {
         FatalIOErrorInFunction(dict)
-            << "'depths' " << depths_ << " must begin with 0 and have no more"
+            << "'depths' " << flatOutput(depths_) << " must begin with 0 and have no more"
             << " entries than the mesh's " << nLayers << " layers"
             << exit(FatalIOError);
     }
@@ -89,7 +90,7 @@ Foam::terrainLayers::terrainLayers
         if (depths_[i] <= depths_[i-1])
         {
             FatalIOErrorInFunction(dict)
-                << "'depths' " << depths_ << " must increase"
+                << "'depths' " << flatOutput(depths_) << " must increase"
                 << exit(FatalIOError);
         }
     }
