@@ -158,7 +158,8 @@ labelList pointInterfaces
         ++count[i];
     }
 
-    if (min(count) != max(count))
+    // The smallest plan mesh is one triangle
+    if (min(count) != max(count) || min(count) < 3)
     {
         FatalErrorInFunction
             << "The mesh is not an extruded flat one: its " << points.size()
