@@ -21,6 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "terrainLayers.H"
+#include "FlatOutput.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
