@@ -22,6 +22,7 @@ License
 
 #include "frontFluxTable.H"
 #include "DynamicList.H"
+#include "Pstream.H"
 #include "PstreamReduceOps.H"
 #include "ListOps.H"
 
