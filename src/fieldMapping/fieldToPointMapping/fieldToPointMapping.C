@@ -22,30 +22,30 @@ License
 
 #include "fieldToPointMapping.H"
 #include "meshPointLocator.H"
+#include "StringStream.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fieldToPointMapping::checkOutside
 (
     const polyMesh& mesh,
-    const UList<point>& points
+    const UList<point>& points,
+    const outsidePolicy& policy
 ) const
 {
     const label first = outside_.find_first();
 
     if (first != -1)
     {
-        // Two statements: the bounds are a collective operation
-        const string where(meshPointLocator::boundsMessage(mesh));
-
-        FatalErrorInFunction
+        OStringStream message;
+        message
             << "Point " << first << " at " << points[first]
-            << " lies in no cell of the " << where.c_str() << nl
+            << " lies in no cell of the "
+            << meshPointLocator::boundsMessage(mesh).c_str() << nl
             << "    (" << outside_.count() << " of " << points.size()
-            << " points are outside). Move the points, or choose what they"
-            << " get: outside " << outsidePolicy::names[outsidePolicy::NEAREST]
-            << " or " << outsidePolicy::names[outsidePolicy::VALUE]
-            << exit(FatalError);
+            << " points are outside).";
+
+        policy.stop(message.str());
     }
 }
 
@@ -72,7 +72,7 @@ Foam::fieldToPointMapping::fieldToPointMapping
 
     if (policy.is(outsidePolicy::ERROR))
     {
-        checkOutside(mesh, points);
+        checkOutside(mesh, points, policy);
     }
     else if (policy.is(outsidePolicy::NEAREST))
     {

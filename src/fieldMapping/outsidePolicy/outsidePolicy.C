@@ -36,7 +36,31 @@ const Foam::Enum<Foam::outsidePolicy::type> Foam::outsidePolicy::names
 
 Foam::outsidePolicy::outsidePolicy(const dictionary& dict)
 :
-    type_(names.getOrDefault("outside", dict, type::ERROR))
+    type_(names.getOrDefault("outside", dict, type::ERROR)),
+    source_(dict)
 {}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::outsidePolicy::stop(const string& message) const
+{
+    const string advice
+    (
+        "Move the points, or choose what they get: outside "
+      + names[type::NEAREST] + " or " + names[type::VALUE]
+    );
+
+    if (source_.name().empty())
+    {
+        FatalErrorInFunction
+            << message.c_str() << nl << "    " << advice.c_str()
+            << exit(FatalError);
+    }
+
+    FatalIOErrorInFunction(source_)
+        << message.c_str() << nl << "    " << advice.c_str()
+        << exit(FatalIOError);
+}
 
 // ************************************************************************* //
