@@ -174,13 +174,13 @@ void Foam::soilZones::checkCells
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::soilZones::soilZones(const polyMesh& mesh)
+Foam::soilZones::soilZones(const polyMesh& mesh, const word& dictName)
 :
     properties_
     (
         IOobject
         (
-            "soilProperties",
+            dictName,
             mesh.time().constant(),
             mesh,
             IOobject::MUST_READ,
