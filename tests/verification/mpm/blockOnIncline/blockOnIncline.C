@@ -1,0 +1,179 @@
+/*---------------------------------------------------------------------------*\
+  slideFoam | from rain to runout
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with slideFoam.  If not, see <https://www.gnu.org/licenses/>.
+
+Description
+    An elastic block on a plane of 30 degrees with Coulomb friction. Sliding
+    (mu = 0.1): s = (sin - mu cos) g t^2/2. Sticking (mu = 0.6 > tan 30): it
+    stays where it came to rest.
+
+    The plane lies on the grid, with inclined gravity, or cuts through the
+    cells, with vertical gravity.
+
+\*---------------------------------------------------------------------------*/
+
+#include "verification.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+const double slope = 30*verification::degree;
+const double width = 2, height = 1, rho = 2000;
+
+//- Directions down the plane and out of it
+struct Frame
+{
+    mpm::Point3 down, out;
+};
+
+
+std::unique_ptr<mpm::Run> block
+(
+    const bool inclined,
+    const double mu,
+    const double cellSize
+)
+{
+    const double g = verification::gravity;
+    const double s = std::sin(slope), c = std::cos(slope);
+    const Frame frame =
+        inclined
+      ? Frame{{{c, -s, 0}}, {{s, c, 0}}}
+      : Frame{{{1, 0, 0}}, {{0, 1, 0}}};
+
+    mpm::Settings settings;
+    settings.cellSize = cellSize;
+    settings.gravity =
+        inclined ? mpm::Point3{{0, -g, 0}} : mpm::Point3{{g*s, -g*c, 0}};
+
+    mpm::PointData points = verification::seed
+    (
+        2,
+        cellSize,
+        2,
+        {{0, 0, 0}},
+        {{width, height, 0}},
+        [](const mpm::Point3&) { return true; },
+        rho
+    );
+
+    // Turned onto the plane, with the normal stress of its weight
+    for (mpm::Point3& x : points.position)
+    {
+        const double along = x[0], above = x[1];
+        for (int d = 0; d < 3; ++d)
+        {
+            x[d] = along*frame.down[d] + above*frame.out[d];
+        }
+        const double normal = -rho*g*c*(height - above);
+        const mpm::Point3& n = frame.out;
+        points.sigma.push_back
+        (
+            {{
+                normal*n[0]*n[0], normal*n[1]*n[1], 0,
+                normal*n[0]*n[1], 0, 0
+            }}
+        );
+    }
+
+    mpm::Material stiff;
+    stiff.constitutiveModel = "linearElastic";
+    stiff.E = 10e6;
+
+    return mpm::Run::New
+    (
+        2,
+        settings,
+        points,
+        {stiff},
+        {
+            verification::plane
+            (
+                "incline", "coulomb", {{0, 0, 0}}, frame.out, mu
+            )
+        }
+    );
+}
+
+
+//- Mean displacement
+double moved(const mpm::Run& run)
+{
+    const std::vector<double> u = run.field("displacement");
+    double x = 0, y = 0;
+    for (std::size_t i = 0; i < run.nPoints(); ++i)
+    {
+        x += u[3*i];
+        y += u[3*i + 1];
+    }
+    return std::hypot(x, y)/run.nPoints();
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+void verification::blockOnIncline(Checks& checks, const bool)
+{
+    const double cellSize = 0.125, endTime = 1;
+    for (const bool inclined : {false, true})
+    {
+        const std::string name =
+            inclined ? "plane across the cells: " : "plane on the grid: ";
+
+        const double mu = 0.1;
+        auto sliding = block(inclined, mu, cellSize);
+        sliding->advance(endTime);
+        const double exact =
+            0.5*gravity*(std::sin(slope) - mu*std::cos(slope))
+           *endTime*endTime;
+        checks.less
+        (
+            name + "relative error of the way slid in 1 s",
+            moved(*sliding)/exact - 1,
+            inclined ? 5e-3 : 1e-3,
+            inclined
+          ? "the block comes to bear on nodes at uneven depths first"
+          : "the weight bears on the nodes from the first step"
+        );
+
+        auto sticking = block(inclined, 0.6, cellSize);
+        mpm::StartSettings start;
+        start.type = "elasticGravity";
+        start.elasticTime = 3;
+        start.relaxationTime = 0;
+        sticking->establishStart(start);
+        sticking->advance(endTime);
+        checks.less
+        (
+            name + "way of the sticking block in 1 s [m]",
+            moved(*sticking),
+            1e-6,
+            "what the kinetic relaxation leaves of elastic waves"
+        );
+    }
+}
+
+// ************************************************************************* //

@@ -1,0 +1,143 @@
+/*---------------------------------------------------------------------------*\
+  slideFoam | from rain to runout
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with slideFoam.  If not, see <https://www.gnu.org/licenses/>.
+
+Description
+    A soft column settles under its own weight between rollers. Whatever the
+    strain, the vertical Cauchy stress of a piece of soil is the weight that
+    was above it from the start: rho0 g (l0 - Y) (T.J. Charlton, W.M. Coombs,
+    C.E. Augarde 2017).
+
+\*---------------------------------------------------------------------------*/
+
+#include "verification.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- L2 error of the vertical stress over the stress at the base
+double stressError(const int cells, const std::string& shapeFunction)
+{
+    const double height = 50, rho = 80, E = 10e3;
+
+    // Half of E at the base: a logarithmic strain of -0.5
+    const double g = 0.5*E/(rho*height);
+
+    mpm::Settings settings;
+    settings.cellSize = height/cells;
+    settings.gravity = {{0, -g, 0}};
+    settings.shapeFunction = shapeFunction;
+
+    const double width = 2*settings.cellSize;
+    const mpm::PointData points = verification::seed
+    (
+        2,
+        settings.cellSize,
+        2,
+        {{0, 0, 0}},
+        {{width, height, 0}},
+        [](const mpm::Point3&) { return true; },
+        rho
+    );
+
+    mpm::Material soft;
+    soft.constitutiveModel = "linearElastic";
+    soft.E = E;
+
+    auto run = mpm::Run::New
+    (
+        2,
+        settings,
+        points,
+        {soft},
+        {
+            verification::plane("base", "rough", {{0, 0, 0}}, {{0, 1, 0}}),
+            verification::plane("left", "roller", {{0, 0, 0}}, {{1, 0, 0}}),
+            verification::plane
+            (
+                "right", "roller", {{width, 0, 0}}, {{-1, 0, 0}}
+            )
+        }
+    );
+
+    // Natural period 4 l/c = 18 s; kinetic relaxation needs some of them
+    mpm::StartSettings start;
+    start.type = "elasticGravity";
+    start.elasticTime = 150;
+    start.relaxationTime = 0;
+    run->establishStart(start);
+
+    const std::vector<double> sigma = run->field("sigma");
+    double sum = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        const double exact = -rho*g*(height - points.position[i][1]);
+        sum += std::pow(sigma[6*i + 1] - exact, 2);
+    }
+    return std::sqrt(sum/points.size())/(rho*g*height);
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+void verification::selfWeightColumn(Checks& checks, const bool longVersion)
+{
+    double last = 0;
+    for (const int cells : {16, 32, 64, 128})
+    {
+        if (cells == 128 && !longVersion)
+        {
+            break;
+        }
+        const double error = stressError(cells, "quadraticBSpline");
+        const std::string name = std::to_string(cells) + " cells: ";
+        checks.report(name + "relative error of the stress", error);
+        if (last != 0)
+        {
+            checks.within
+            (
+                name + "order of the stress",
+                order(last, error),
+                0.7,
+                3,
+                "first to second order; points lie unevenly in the cells"
+            );
+        }
+        last = error;
+    }
+    checks.less
+    (
+        "relative error of the stress at the finest",
+        last,
+        0.02,
+        "half the weight of one cell is 0.8 % of the base's stress"
+    );
+
+    const double linear = stressError(32, "linear");
+    checks.report("linear shapes, 32 cells: relative error", linear);
+}
+
+// ************************************************************************* //
