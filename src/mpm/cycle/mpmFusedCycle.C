@@ -1,0 +1,114 @@
+/*---------------------------------------------------------------------------*\
+  slideFoam | from rain to runout
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with slideFoam.  If not, see <https://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "mpmFusedCycle.H"
+#include "mpmG2P.H"
+#include "mpmGridUpdate.H"
+#include "mpmP2G.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<int Dim>
+void mpm::FusedCycle<Dim>::scatterPatches
+(
+    State<Dim>& state,
+    const double deltaT
+)
+{
+    state.forBlocks
+    (
+        [&state, deltaT](const std::size_t b)
+        {
+            if (!state.grid[b].points.empty())
+            {
+                scatterAPIC
+                (
+                    state.cloud,
+                    state.grid,
+                    state.grid[b],
+                    deltaT,
+                    state.grid.patchOf(b)
+                );
+            }
+        }
+    );
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<int Dim>
+void mpm::FusedCycle<Dim>::step(State<Dim>& state, const double deltaT)
+{
+    scatterPatches(state, deltaT);
+
+    Vector<Dim> dv;
+    for (int d = 0; d < Dim; ++d)
+    {
+        dv[d] = deltaT*state.gravity[d];
+    }
+    state.forBlocks
+    (
+        [&state, &dv](const std::size_t b)
+        {
+            sumVelocities(state, b);
+            accelerate<Dim>(state, b, dv);
+            applyWalls(state, b);
+        }
+    );
+
+    const StressUpdate<Dim> stress(state.laws, deltaT, state.elastic);
+    state.forBlocks
+    (
+        [&state, &stress, deltaT](const std::size_t b)
+        {
+            gatherAPIC(state, b, stress, deltaT);
+        }
+    );
+}
+
+
+template<int Dim>
+void mpm::FusedCycle<Dim>::scatter(State<Dim>& state, const double deltaT)
+{
+    scatterPatches(state, deltaT);
+    state.forBlocks
+    (
+        [&state](const std::size_t b)
+        {
+            state.grid.sum
+            (
+                state.grid.patches, state.grid[b], state.grid.nodesOf(b)
+            );
+        }
+    );
+}
+
+
+// * * * * * * * * * * * * * Explicit Instantiations * * * * * * * * * * * * //
+
+template class mpm::FusedCycle<2>;
+template class mpm::FusedCycle<3>;
+
+
+// ************************************************************************* //

@@ -1,0 +1,582 @@
+/*---------------------------------------------------------------------------*\
+  slideFoam | from rain to runout
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with slideFoam.  If not, see <https://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "mpmGenericCycle.H"
+#include "mpmGridUpdate.H"
+#include "mpmShapeBatch.H"
+
+// * * * * * * * * * * * * * * Private Classes * * * * * * * * * * * * * * * //
+
+//- The nodes of each point of a batch, one by one
+template<int Dim, class Shape>
+class mpm::GenericCycle<Dim, Shape>::Stencil
+{
+    ShapeBatch<Dim, Shape> batch_;
+
+    //- Gradient weights in the direction of the derivative [1/m]
+    double g_[Dim][Shape::width][ShapeBatch<Dim, Shape>::size];
+
+    const double h_;
+    const bool affineGradient_;
+
+
+public:
+
+    //- For grids of this cell size
+    Stencil(const double h, const bool affineGradient)
+    :
+        h_(h),
+        affineGradient_(affineGradient)
+    {}
+
+    static constexpr int size = ShapeBatch<Dim, Shape>::size;
+
+    int count() const
+    {
+        return batch_.count;
+    }
+
+    const std::int32_t* points() const
+    {
+        return batch_.point;
+    }
+
+    void take
+    (
+        const std::vector<Vector<Dim>>& x,
+        const BlockGrid<Dim>& grid,
+        const typename BlockGrid<Dim>::Block& block,
+        const std::size_t i
+    )
+    {
+        batch_.take
+        (
+            x, grid, block, &block.points[i], block.points.size() - i
+        );
+        for (int d = 0; d < Dim; ++d)
+        {
+            for (int l = 0; l < size; ++l)
+            {
+                double g[Shape::width];
+                Shape::gradients(batch_.f[d][l], g);
+                for (int k = 0; k < Shape::width; ++k)
+                {
+                    // Second moment of the B-spline: 1/4 cell^2
+                    g_[d][k][l] =
+                        (affineGradient_ ? 4*batch_.wd[d][k][l] : g[k])/h_;
+                }
+            }
+        }
+    }
+
+    //- Call f(node of the patch, weight, gradient, distance) for the nodes of
+    //  point l
+    template<class Function>
+    void forNodes(const int l, const Function& f) const
+    {
+        constexpr int width = Shape::width;
+        constexpr int edge = BlockGrid<Dim>::patchEdge;
+        constexpr int depth = Dim == 2 ? 1 : width;
+
+        for (int z = 0; z < depth; ++z)
+        {
+            for (int y = 0; y < width; ++y)
+            {
+                for (int x = 0; x < width; ++x)
+                {
+                    const int at[3] = {x, y, z};
+                    double weight = 1;
+                    Vector<Dim> gradient, distance;
+                    for (int d = 0; d < Dim; ++d)
+                    {
+                        weight *= batch_.w[d][at[d]][l];
+                        distance[d] = h_*(at[d] - batch_.f[d][l]);
+                        gradient[d] = 1;
+                        for (int e = 0; e < Dim; ++e)
+                        {
+                            gradient[d] *=
+                                e == d
+                              ? g_[e][at[e]][l]
+                              : batch_.w[e][at[e]][l];
+                        }
+                    }
+                    f
+                    (
+                        batch_.node[l] + x + edge*(y + edge*z),
+                        weight,
+                        gradient,
+                        distance
+                    );
+                }
+            }
+        }
+    }
+};
+
+
+namespace mpm
+{
+namespace
+{
+
+//- Column d of a stress
+inline Vector<2> column(const Stress<2>& s, const int d)
+{
+    return d == 0 ? Vector<2>{{s[0], s[3]}} : Vector<2>{{s[3], s[1]}};
+}
+
+
+inline Vector<3> column(const Stress<3>& s, const int d)
+{
+    return
+        d == 0 ? Vector<3>{{s[0], s[3], s[5]}}
+      : d == 1 ? Vector<3>{{s[3], s[1], s[4]}}
+      : Vector<3>{{s[5], s[4], s[2]}};
+}
+
+} // End anonymous namespace
+} // End namespace mpm
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<int Dim, class Shape>
+bool mpm::GenericCycle<Dim, Shape>::affineGradient() const
+{
+    return affine_ && std::is_same<Shape, QuadraticBSpline>::value;
+}
+
+
+template<int Dim, class Shape>
+void mpm::GenericCycle<Dim, Shape>::scatterMomentum
+(
+    State<Dim>& state,
+    const std::size_t b
+) const
+{
+    const Block& block = state.grid[b];
+    const PointCloud<Dim>& cloud = state.cloud;
+    Node* patch = state.grid.patchOf(b);
+    std::fill_n(patch, BlockGrid<Dim>::nPatchNodes, Node{});
+
+    Stencil stencil(state.grid.cellSize(), affineGradient());
+    for (std::size_t i = 0; i < block.points.size(); i += stencil.size)
+    {
+        stencil.take(cloud.x, state.grid, block, i);
+        for (int l = 0; l < stencil.count(); ++l)
+        {
+            const std::int32_t p = stencil.points()[l];
+            stencil.forNodes
+            (
+                l,
+                [&]
+                (
+                    const int node,
+                    const double weight,
+                    const Vector<Dim>&,
+                    const Vector<Dim>& distance
+                )
+                {
+                    const double m = weight*cloud.mass[p];
+                    for (int r = 0; r < Dim; ++r)
+                    {
+                        double v = cloud.v[p][r];
+                        for (int c = 0; affine_ && c < Dim; ++c)
+                        {
+                            v += cloud.C[p][r*Dim + c]*distance[c];
+                        }
+                        patch[node][r] += m*v;
+                    }
+                    patch[node][massOf] += m;
+                }
+            );
+        }
+    }
+}
+
+
+template<int Dim, class Shape>
+void mpm::GenericCycle<Dim, Shape>::scatterForces
+(
+    State<Dim>& state,
+    const std::size_t b
+) const
+{
+    const Block& block = state.grid[b];
+    const PointCloud<Dim>& cloud = state.cloud;
+    Node* patch = state.grid.patchOf(b);
+    std::fill_n(patch, BlockGrid<Dim>::nPatchNodes, Node{});
+
+    Stencil stencil(state.grid.cellSize(), affineGradient());
+    for (std::size_t i = 0; i < block.points.size(); i += stencil.size)
+    {
+        stencil.take(cloud.x, state.grid, block, i);
+        for (int l = 0; l < stencil.count(); ++l)
+        {
+            const std::int32_t p = stencil.points()[l];
+            stencil.forNodes
+            (
+                l,
+                [&]
+                (
+                    const int node,
+                    const double,
+                    const Vector<Dim>& gradient,
+                    const Vector<Dim>&
+                )
+                {
+                    for (int c = 0; c < Dim; ++c)
+                    {
+                        const Vector<Dim> s = column(cloud.sigma[p], c);
+                        const double k = cloud.volume[p]*gradient[c];
+                        for (int r = 0; r < Dim; ++r)
+                        {
+                            patch[node][r] -= k*s[r];
+                        }
+                    }
+                }
+            );
+        }
+    }
+}
+
+
+template<int Dim, class Shape>
+void mpm::GenericCycle<Dim, Shape>::sumForces
+(
+    State<Dim>& state,
+    const std::size_t b
+)
+{
+    state.grid.sum
+    (
+        state.grid.patches,
+        state.grid[b],
+        forces_.data() + b*BlockGrid<Dim>::nNodes
+    );
+}
+
+
+template<int Dim, class Shape>
+void mpm::GenericCycle<Dim, Shape>::balance
+(
+    State<Dim>& state,
+    const std::size_t b,
+    const double deltaT
+)
+{
+    Node* nodes = state.grid.nodesOf(b);
+    const Node* forces = forces_.data() + b*BlockGrid<Dim>::nNodes;
+    const Node* before = before_.data() + b*BlockGrid<Dim>::nNodes;
+
+    for (int i = 0; i < BlockGrid<Dim>::nNodes; ++i)
+    {
+        nodes[i] = before[i];
+        const double m = nodes[i][massOf];
+        for (int d = 0; m > 0 && d < Dim; ++d)
+        {
+            nodes[i][d] += deltaT*(forces[i][d]/m + state.gravity[d]);
+        }
+    }
+    applyWalls(state, b);
+}
+
+
+template<int Dim, class Shape>
+void mpm::GenericCycle<Dim, Shape>::updateStress
+(
+    State<Dim>& state,
+    const std::size_t b,
+    const NodeField& velocity,
+    const StressUpdate<Dim>& stressUpdate
+) const
+{
+    const Block& block = state.grid[b];
+    if (block.points.empty())
+    {
+        return;
+    }
+
+    alignas(64) Node patch[BlockGrid<Dim>::nPatchNodes];
+    state.grid.collect(velocity, block, patch);
+
+    Stencil stencil(state.grid.cellSize(), affineGradient());
+    for (std::size_t i = 0; i < block.points.size(); i += stencil.size)
+    {
+        stencil.take(state.cloud.x, state.grid, block, i);
+        for (int first = 0; first < stencil.count(); first += laneCount)
+        {
+            Lanes L[Dim*Dim];
+            for (int k = 0; k < Dim*Dim; ++k)
+            {
+                L[k] = Lanes(0.0);
+            }
+            for (int l = 0; l < laneCount; ++l)
+            {
+                stencil.forNodes
+                (
+                    first + l,
+                    [&]
+                    (
+                        const int node,
+                        const double,
+                        const Vector<Dim>& gradient,
+                        const Vector<Dim>&
+                    )
+                    {
+                        for (int k = 0; k < Dim*Dim; ++k)
+                        {
+                            L[k].v[l] += patch[node][k/Dim]*gradient[k%Dim];
+                        }
+                    }
+                );
+            }
+
+            const int count = std::min(laneCount, stencil.count() - first);
+            const Lanes wave2 = stressUpdate.update
+            (
+                state.cloud, stencil.points() + first, count, L
+            );
+            for (int l = 0; l < count; ++l)
+            {
+                BlockReport<Dim>& report = state.reports[b];
+                report.wave2 = std::max(report.wave2, wave2.v[l]);
+                if (!(wave2.v[l] > 0))
+                {
+                    report.broken = stencil.points()[first + l];
+                }
+            }
+        }
+    }
+}
+
+
+template<int Dim, class Shape>
+void mpm::GenericCycle<Dim, Shape>::gather
+(
+    State<Dim>& state,
+    const std::size_t b,
+    const double deltaT
+) const
+{
+    Block& block = state.grid[b];
+    if (block.points.empty())
+    {
+        return;
+    }
+
+    alignas(64) Node now[BlockGrid<Dim>::nPatchNodes];
+    alignas(64) Node before[BlockGrid<Dim>::nPatchNodes];
+    state.grid.collect(state.grid.nodes, block, now);
+    state.grid.collect(before_, block, before);
+
+    const Settings& settings = state.settings;
+    const double share =
+        affine_ ? 0
+      : settings.flipBlend >= 0 ? settings.flipBlend
+      : std::exp(-deltaT/settings.flipTime);
+
+    PointCloud<Dim>& cloud = state.cloud;
+    BlockReport<Dim>& report = state.reports[b];
+    Stencil stencil(state.grid.cellSize(), affineGradient());
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < block.points.size(); i += stencil.size)
+    {
+        stencil.take(cloud.x, state.grid, block, i);
+        for (int l = 0; l < stencil.count(); ++l)
+        {
+            const std::int32_t p = stencil.points()[l];
+            Vector<Dim> v{}, change{};
+            Tensor<Dim> C{};
+            stencil.forNodes
+            (
+                l,
+                [&]
+                (
+                    const int node,
+                    const double weight,
+                    const Vector<Dim>& gradient,
+                    const Vector<Dim>&
+                )
+                {
+                    for (int r = 0; r < Dim; ++r)
+                    {
+                        v[r] += weight*now[node][r];
+                        change[r] += weight*(now[node][r] - before[node][r]);
+                        for (int c = 0; c < Dim; ++c)
+                        {
+                            C[r*Dim + c] += now[node][r]*gradient[c];
+                        }
+                    }
+                }
+            );
+
+            Vector<Dim> dx;
+            for (int d = 0; d < Dim; ++d)
+            {
+                dx[d] = deltaT*v[d];
+                cloud.v[p][d] =
+                    share*(cloud.v[p][d] + change[d]) + (1 - share)*v[d];
+            }
+            if (affine_)
+            {
+                cloud.C[p] = C;
+            }
+
+            // The wave speed was reported with the stress
+            const double wave2 = report.wave2;
+            if (movePoint<Dim, Shape>(state, block, p, dx, wave2, report))
+            {
+                block.points[kept++] = p;
+            }
+        }
+    }
+    block.points.resize(kept);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+template<int Dim, class Shape>
+mpm::GenericCycle<Dim, Shape>::GenericCycle(const Settings& settings)
+:
+    affine_(settings.transferScheme == "APIC"),
+    stressFirst_(settings.stressUpdate == "first")
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<int Dim, class Shape>
+void mpm::GenericCycle<Dim, Shape>::step
+(
+    State<Dim>& state,
+    const double deltaT
+)
+{
+    typedef const std::size_t Index;
+
+    BlockGrid<Dim>& grid = state.grid;
+    before_.resize(grid.nodes.size());
+    forces_.resize(grid.nodes.size());
+
+    const StressUpdate<Dim> stress(state.laws, deltaT, state.elastic);
+
+    state.forBlocks
+    (
+        [&](Index b)
+        {
+            state.reports[b].reset();
+            scatterMomentum(state, b);
+        }
+    );
+    state.forBlocks
+    (
+        [&](Index b)
+        {
+            sumVelocities(state, b);
+            std::copy_n
+            (
+                grid.nodesOf(b),
+                BlockGrid<Dim>::nNodes,
+                before_.data() + b*BlockGrid<Dim>::nNodes
+            );
+            if (stressFirst_)
+            {
+                applyWalls(state, b);
+            }
+        }
+    );
+
+    if (stressFirst_)
+    {
+        state.forBlocks
+        (
+            [&](Index b) { updateStress(state, b, grid.nodes, stress); }
+        );
+    }
+    state.forBlocks([&](Index b) { scatterForces(state, b); });
+    state.forBlocks
+    (
+        [&](Index b)
+        {
+            sumForces(state, b);
+            balance(state, b, deltaT);
+        }
+    );
+
+    if (!stressFirst_)
+    {
+        state.forBlocks
+        (
+            [&](Index b) { updateStress(state, b, grid.nodes, stress); }
+        );
+    }
+    state.forBlocks([&](Index b) { gather(state, b, deltaT); });
+}
+
+
+template<int Dim, class Shape>
+void mpm::GenericCycle<Dim, Shape>::scatter
+(
+    State<Dim>& state,
+    const double deltaT
+)
+{
+    typedef const std::size_t Index;
+
+    BlockGrid<Dim>& grid = state.grid;
+    forces_.resize(grid.nodes.size());
+
+    state.forBlocks([&](Index b) { scatterForces(state, b); });
+    state.forBlocks([&](Index b) { sumForces(state, b); });
+    state.forBlocks([&](Index b) { scatterMomentum(state, b); });
+    state.forBlocks
+    (
+        [&](Index b)
+        {
+            Node* nodes = grid.nodesOf(b);
+            const Node* forces =
+                forces_.data() + b*BlockGrid<Dim>::nNodes;
+            grid.sum(grid.patches, grid[b], nodes);
+            for (int i = 0; i < BlockGrid<Dim>::nNodes; ++i)
+            {
+                for (int d = 0; d < Dim; ++d)
+                {
+                    nodes[i][d] += deltaT*forces[i][d];
+                }
+            }
+        }
+    );
+}
+
+
+// * * * * * * * * * * * * * Explicit Instantiations * * * * * * * * * * * * //
+
+template class mpm::GenericCycle<2, mpm::QuadraticBSpline>;
+template class mpm::GenericCycle<3, mpm::QuadraticBSpline>;
+template class mpm::GenericCycle<2, mpm::LinearShape>;
+template class mpm::GenericCycle<3, mpm::LinearShape>;
+
+
+// ************************************************************************* //

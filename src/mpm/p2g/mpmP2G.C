@@ -1,0 +1,234 @@
+/*---------------------------------------------------------------------------*\
+  slideFoam | from rain to runout
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with slideFoam.  If not, see <https://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "mpmP2G.H"
+#include "mpmShapeBatch.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace mpm
+{
+namespace
+{
+
+//- What a point sends: value at its own place, and change for each cell in
+//  each direction
+template<int Dim>
+struct Sent
+{
+    Node value;
+    Node slope[Dim];
+};
+
+
+inline Node all(const double a)
+{
+    return Node{a, a, a, a};
+}
+
+
+Sent<2> sent
+(
+    const PointCloud<2>& cloud,
+    const std::int32_t p,
+    const double h,
+    const double deltaT
+)
+{
+    const double m = cloud.mass[p];
+    const Vector<2>& v = cloud.v[p];
+    const Tensor<2>& C = cloud.C[p];
+    const Stress<2>& s = cloud.sigma[p];
+    const double hm = h*m;
+    const double k = deltaT*cloud.volume[p]*4/h;
+
+    return
+    {
+        Node{m*v[0], m*v[1], 0, m},
+        {
+            Node{hm*C[0] - k*s[0], hm*C[2] - k*s[3], 0, 0},
+            Node{hm*C[1] - k*s[3], hm*C[3] - k*s[1], 0, 0}
+        }
+    };
+}
+
+
+Sent<3> sent
+(
+    const PointCloud<3>& cloud,
+    const std::int32_t p,
+    const double h,
+    const double deltaT
+)
+{
+    const double m = cloud.mass[p];
+    const Vector<3>& v = cloud.v[p];
+    const Tensor<3>& C = cloud.C[p];
+    const Stress<3>& s = cloud.sigma[p];
+    const double hm = h*m;
+    const double k = deltaT*cloud.volume[p]*4/h;
+
+    return
+    {
+        Node{m*v[0], m*v[1], m*v[2], m},
+        {
+            Node
+            {
+                hm*C[0] - k*s[0], hm*C[3] - k*s[3], hm*C[6] - k*s[5], 0
+            },
+            Node
+            {
+                hm*C[1] - k*s[3], hm*C[4] - k*s[1], hm*C[7] - k*s[4], 0
+            },
+            Node
+            {
+                hm*C[2] - k*s[5], hm*C[5] - k*s[4], hm*C[8] - k*s[2], 0
+            }
+        }
+    };
+}
+
+
+typedef ShapeBatch<2, QuadraticBSpline> Batch2;
+typedef ShapeBatch<3, QuadraticBSpline> Batch3;
+
+
+inline void add
+(
+    const Batch2& batch,
+    const int l,
+    const Sent<2>& q,
+    Node* target
+)
+{
+    for (int y = 0; y < 3; ++y)
+    {
+        const Node row =
+            all(batch.w[1][y][l])*q.value
+          + all(batch.wd[1][y][l])*q.slope[1];
+        const Node slope = all(batch.w[1][y][l])*q.slope[0];
+        for (int x = 0; x < 3; ++x)
+        {
+            target[x] +=
+                all(batch.w[0][x][l])*row + all(batch.wd[0][x][l])*slope;
+        }
+        target += BlockGrid<2>::patchEdge;
+    }
+}
+
+
+inline void add
+(
+    const Batch3& batch,
+    const int l,
+    const Sent<3>& q,
+    Node* target
+)
+{
+    constexpr int edge = BlockGrid<3>::patchEdge;
+
+    for (int z = 0; z < 3; ++z)
+    {
+        const Node wz = all(batch.w[2][z][l]);
+        const Node plane = wz*q.value + all(batch.wd[2][z][l])*q.slope[2];
+        const Node slopeX = wz*q.slope[0];
+        const Node slopeY = wz*q.slope[1];
+        for (int y = 0; y < 3; ++y)
+        {
+            const Node wy = all(batch.w[1][y][l]);
+            const Node row = wy*plane + all(batch.wd[1][y][l])*slopeY;
+            const Node slope = wy*slopeX;
+            Node* t = target + edge*y;
+            for (int x = 0; x < 3; ++x)
+            {
+                t[x] +=
+                    all(batch.w[0][x][l])*row
+                  + all(batch.wd[0][x][l])*slope;
+            }
+        }
+        target += edge*edge;
+    }
+}
+
+} // End anonymous namespace
+} // End namespace mpm
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+template<int Dim>
+void mpm::scatterAPIC
+(
+    const PointCloud<Dim>& cloud,
+    const BlockGrid<Dim>& grid,
+    const typename BlockGrid<Dim>::Block& block,
+    const double deltaT,
+    Node* patch
+)
+{
+    for (int i = 0; i < BlockGrid<Dim>::nPatchNodes; ++i)
+    {
+        patch[i] = Node{};
+    }
+
+    ShapeBatch<Dim, QuadraticBSpline> batch;
+    const std::size_t n = block.points.size();
+    for (std::size_t i = 0; i < n; i += batch.size)
+    {
+        batch.take(cloud.x, grid, block, block.points.data() + i, n - i);
+        for (int l = 0; l < batch.count; ++l)
+        {
+            add
+            (
+                batch,
+                l,
+                sent(cloud, batch.point[l], grid.cellSize(), deltaT),
+                patch + batch.node[l]
+            );
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * Explicit Instantiations * * * * * * * * * * * * //
+
+template void mpm::scatterAPIC
+(
+    const PointCloud<2>&,
+    const BlockGrid<2>&,
+    const BlockGrid<2>::Block&,
+    double,
+    Node*
+);
+
+template void mpm::scatterAPIC
+(
+    const PointCloud<3>&,
+    const BlockGrid<3>&,
+    const BlockGrid<3>::Block&,
+    double,
+    Node*
+);
+
+
+// ************************************************************************* //

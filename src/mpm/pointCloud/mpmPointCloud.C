@@ -1,0 +1,110 @@
+/*---------------------------------------------------------------------------*\
+  slideFoam | from rain to runout
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with slideFoam.  If not, see <https://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "mpmPointCloud.H"
+#include "mpmBinary.H"
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<int Dim>
+void mpm::PointCloud<Dim>::assign(const PointData& data)
+{
+    const std::size_t n = data.size();
+    forAll([n](auto& a) { a.assign(n, {}); });
+
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        for (int d = 0; d < Dim; ++d)
+        {
+            x[i][d] = data.position[i][d];
+            v[i][d] = data.velocity.empty() ? 0.0 : data.velocity[i][d];
+        }
+        for (int c = 0; c < nStress<Dim>; ++c)
+        {
+            sigma[i][c] = data.sigma.empty() ? 0.0 : data.sigma[i][c];
+        }
+        volume[i] = data.volume[i];
+        mass[i] = data.rho[i]*data.volume[i];
+        cohesion[i] =
+            data.cohesionIntercept.empty() ? 0.0 : data.cohesionIntercept[i];
+        porePressure[i] =
+            data.porePressure.empty() ? 0.0 : data.porePressure[i];
+        id[i] = std::int32_t(i);
+    }
+}
+
+
+template<int Dim>
+void mpm::PointCloud<Dim>::reorder(const std::vector<std::int32_t>& order)
+{
+    forAll
+    (
+        [&order](auto& a)
+        {
+            typename std::remove_reference<decltype(a)>::type sorted(a.size());
+            for (std::size_t i = 0; i < order.size(); ++i)
+            {
+                sorted[i] = a[order[i]];
+            }
+            a.swap(sorted);
+        }
+    );
+}
+
+
+template<int Dim>
+std::size_t mpm::PointCloud<Dim>::bytes() const
+{
+    std::size_t sum = 0;
+    const_cast<PointCloud&>(*this).forAll
+    (
+        [&sum](const auto& a) { sum += a.capacity()*sizeof(a[0]); }
+    );
+    return sum;
+}
+
+
+template<int Dim>
+void mpm::PointCloud<Dim>::write(std::ostream& os) const
+{
+    const_cast<PointCloud&>(*this).forAll
+    (
+        [&os](const auto& a) { writeBinary(os, a); }
+    );
+}
+
+
+template<int Dim>
+void mpm::PointCloud<Dim>::read(std::istream& is)
+{
+    forAll([&is](auto& a) { readBinary(is, a); });
+}
+
+
+// * * * * * * * * * * * * * Explicit Instantiations * * * * * * * * * * * * //
+
+template struct mpm::PointCloud<2>;
+template struct mpm::PointCloud<3>;
+
+
+// ************************************************************************* //

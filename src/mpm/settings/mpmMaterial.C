@@ -1,0 +1,66 @@
+/*---------------------------------------------------------------------------*\
+  slideFoam | from rain to runout
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with slideFoam.  If not, see <https://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "mpmMaterial.H"
+#include "mpmNames.H"
+
+// * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
+
+const std::vector<std::string>& mpm::Material::constitutiveModels()
+{
+    static const std::vector<std::string> names
+    {
+        "MohrCoulomb", "linearElastic"
+    };
+    return names;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void mpm::Material::validate() const
+{
+    const std::string zone("material " + name + ": ");
+
+    choose
+    (
+        zone + "constitutiveModel",
+        constitutiveModel,
+        constitutiveModels()
+    );
+    require(E > 0, zone + "E", E, "> 0 [Pa]");
+    require(nu >= 0 && nu < 0.5, zone + "nu", nu, "0 <= nu < 0.5");
+    require
+    (
+        dilationAngle >= 0 && dilationAngle < 90,
+        zone + "dilationAngle", dilationAngle, "0 .. frictionAngle [deg]"
+    );
+    require
+    (
+        tensileStrength >= 0,
+        zone + "tensileStrength", tensileStrength, ">= 0 [Pa]"
+    );
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,352 @@
+/*---------------------------------------------------------------------------*\
+  slideFoam | from rain to runout
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with slideFoam.  If not, see <https://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "mpmNames.H"
+#include "mpmOverburden.H"
+#include "mpmSimulation.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace mpm
+{
+namespace
+{
+
+inline SymmetricTensor<2, double> tensor(const Stress<2>& s)
+{
+    return {s[0], s[1], s[2], s[3]};
+}
+
+
+inline SymmetricTensor<3, double> tensor(const Stress<3>& s)
+{
+    return {s[0], s[1], s[2], s[3], s[4], s[5]};
+}
+
+
+//- -(horizontal I + (vertical - horizontal) up up)
+inline Stress<2> columnStress
+(
+    const double vertical,
+    const double side,
+    const Vector<2>& up
+)
+{
+    const double d = vertical - side;
+    return
+    {{
+        -side - d*up[0]*up[0], -side - d*up[1]*up[1], -side, -d*up[0]*up[1]
+    }};
+}
+
+
+inline Stress<3> columnStress
+(
+    const double vertical,
+    const double side,
+    const Vector<3>& up
+)
+{
+    const double d = vertical - side;
+    return
+    {{
+        -side - d*up[0]*up[0],
+        -side - d*up[1]*up[1],
+        -side - d*up[2]*up[2],
+        -d*up[0]*up[1],
+        -d*up[1]*up[2],
+        -d*up[2]*up[0]
+    }};
+}
+
+} // End anonymous namespace
+} // End namespace mpm
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<int Dim>
+void mpm::Simulation<Dim>::setColumnStress(const StartSettings& settings)
+{
+    PointCloud<Dim>& cloud = state_.cloud;
+    const Vector<Dim> upward = up(state_.settings);
+    double g2 = 0;
+    for (const double g : state_.gravity)
+    {
+        g2 += g*g;
+    }
+
+    std::vector<double> vertical;
+    if (settings.overburden)
+    {
+        vertical.resize(cloud.size());
+        for (std::size_t i = 0; i < cloud.size(); ++i)
+        {
+            Point3 x{{0, 0, 0}};
+            std::copy(cloud.x[i].begin(), cloud.x[i].end(), x.begin());
+            vertical[i] = settings.overburden(x);
+        }
+    }
+    else
+    {
+        vertical = overburden<Dim>
+        (
+            cloud,
+            upward,
+            std::sqrt(g2),
+            state_.settings.cellSize,
+            state_.grid.origin()
+        );
+    }
+
+    constexpr double degree = 3.14159265358979323846/180;
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+    {
+        const double K0 =
+            settings.K0 >= 0
+          ? settings.K0
+          : 1 - std::sin(degree*state_.laws[cloud.law[i]].frictionAngle);
+        const double pw = cloud.porePressure[i];
+        cloud.sigma[i] = columnStress
+        (
+            vertical[i], K0*(vertical[i] - pw) + pw, upward
+        );
+    }
+}
+
+
+template<int Dim>
+void mpm::Simulation<Dim>::relax
+(
+    const double duration,
+    const double restVelocity,
+    StartReport& report
+)
+{
+    const double end = clock_.time + duration;
+    double last = 0;
+    while (clock_.time < end)
+    {
+        step(end - clock_.time);
+        ++report.steps;
+
+        const double energy = clock_.kineticEnergy;
+        if (energy < last)
+        {
+            // The last step was the peak
+            report.rmsVelocity = std::sqrt(2*last/totalMass_);
+            report.atRest = report.rmsVelocity < restVelocity;
+            halt();
+            ++report.resets;
+            last = 0;
+            if (report.atRest)
+            {
+                break;
+            }
+        }
+        else
+        {
+            last = energy;
+        }
+    }
+    report.time += duration - std::max(0.0, end - clock_.time);
+}
+
+
+template<int Dim>
+double mpm::Simulation<Dim>::outOfBalance()
+{
+    // Without velocities, what the points give in one second is the force
+    cycle_->scatter(state_, 1.0);
+
+    double unbalanced = 0, weight = 0;
+    for (std::size_t b = 0; b < state_.grid.size(); ++b)
+    {
+        std::vector<Node> force
+        (
+            state_.grid.nodesOf(b),
+            state_.grid.nodesOf(b) + BlockGrid<Dim>::nNodes
+        );
+        for (Node& f : force)
+        {
+            for (int d = 0; d < Dim; ++d)
+            {
+                const double w = f[massOf]*state_.gravity[d];
+                weight += w*w;
+                f[d] += w;
+            }
+        }
+        // Walls take what they carry from a force as from a velocity
+        for (const auto& w : state_.grid[b].wallNodes)
+        {
+            state_.walls[w.wall].act(w.normal, force[w.node]);
+        }
+        for (const Node& f : force)
+        {
+            for (int d = 0; d < Dim; ++d)
+            {
+                unbalanced += f[d]*f[d];
+            }
+        }
+    }
+    return weight > 0 ? std::sqrt(unbalanced/weight) : 0;
+}
+
+
+template<int Dim>
+void mpm::Simulation<Dim>::measureExcess(StartReport& report) const
+{
+    const PointCloud<Dim>& cloud = state_.cloud;
+    std::size_t outside = 0;
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+    {
+        const LawTable::Law& law = state_.laws[cloud.law[i]];
+        if (law.elastic)
+        {
+            continue;
+        }
+        const PrincipalStress<Dim, double> s(tensor(cloud.sigma[i]));
+        const double excess =
+            law.soil.excess(s.first, s.third, cloud.cohesion[i]);
+
+        // Round-off of a returned stress is not outside
+        const double scale = std::fabs(s.first) + std::fabs(s.third);
+        if (excess > 1e-9*scale)
+        {
+            ++outside;
+            report.maxExcess = std::max(report.maxExcess, excess);
+        }
+    }
+    report.outsideFraction = double(outside)/double(cloud.size());
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<int Dim>
+mpm::StartReport mpm::Simulation<Dim>::establishStart
+(
+    const StartSettings& settings
+)
+{
+    settings.validate(nPoints());
+
+    StartReport report;
+    PointCloud<Dim>& cloud = state_.cloud;
+
+    // Strength of the stable soil
+    const std::vector<double> cohesion = field("cohesionIntercept");
+    const std::vector<double> angle = field("frictionAngle");
+    std::vector<double> stable =
+        settings.stableCohesionIntercept.empty()
+      ? cohesion
+      : settings.stableCohesionIntercept;
+    for (double& c : stable)
+    {
+        c += settings.addedCohesion;
+    }
+    setField("cohesionIntercept", stable);
+    if (!settings.stableFrictionAngle.empty())
+    {
+        setField("frictionAngle", settings.stableFrictionAngle);
+    }
+
+    halt();
+    std::fill
+    (
+        cloud.displacement.begin(), cloud.displacement.end(), Vector<Dim>{}
+    );
+    if (settings.type == "columnK0")
+    {
+        setColumnStress(settings);
+    }
+    else if (settings.type == "elasticGravity")
+    {
+        state_.elastic = true;
+        relax(settings.elasticTime, settings.restVelocity, report);
+        state_.elastic = false;
+        halt();
+        report.atRest = false;
+    }
+    std::fill(cloud.plasticStrain.begin(), cloud.plasticStrain.end(), 0.0);
+    relax(settings.relaxationTime, settings.restVelocity, report);
+
+    // What the soil did on its way to rest
+    const Vector<Dim> upward = up(state_.settings);
+    std::size_t yielded = 0;
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+    {
+        double height = 0, square = 0;
+        for (int d = 0; d < Dim; ++d)
+        {
+            height += cloud.displacement[i][d]*upward[d];
+            square += cloud.displacement[i][d]*cloud.displacement[i][d];
+        }
+        report.settlement = std::max(report.settlement, -height);
+        report.maxDisplacement =
+            std::max(report.maxDisplacement, std::sqrt(square));
+        yielded += cloud.plasticStrain[i] > 0;
+    }
+    report.yieldedFraction = double(yielded)/double(cloud.size());
+
+    // A new beginning
+    halt();
+    std::fill
+    (
+        cloud.displacement.begin(), cloud.displacement.end(), Vector<Dim>{}
+    );
+    std::fill(cloud.plasticStrain.begin(), cloud.plasticStrain.end(), 0.0);
+    std::fill(cloud.yielding.begin(), cloud.yielding.end(), 0);
+    report.outOfBalance = outOfBalance();
+
+    setField("cohesionIntercept", cohesion);
+    setField("frictionAngle", angle);
+    measureExcess(report);
+
+    clock_ = Clock();
+    findSpeeds();
+    sort();
+
+    return report;
+}
+
+
+// * * * * * * * * * * * * * Explicit Instantiations * * * * * * * * * * * * //
+
+#define instantiate(Dim)                                                       \
+    template void mpm::Simulation<Dim>::setColumnStress(const StartSettings&); \
+    template void mpm::Simulation<Dim>::relax(double, double, StartReport&);   \
+    template double mpm::Simulation<Dim>::outOfBalance();                      \
+    template void mpm::Simulation<Dim>::measureExcess(StartReport&) const;     \
+    template mpm::StartReport mpm::Simulation<Dim>::establishStart             \
+    (                                                                          \
+        const StartSettings&                                                   \
+    );
+
+instantiate(2)
+instantiate(3)
+
+#undef instantiate
+
+
+// ************************************************************************* //

@@ -1,0 +1,77 @@
+/*---------------------------------------------------------------------------*\
+  slideFoam | from rain to runout
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with slideFoam.  If not, see <https://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "mpmWall.H"
+#include "mpmNames.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+template<int Dim>
+mpm::Wall<Dim>::Wall(const WallSettings& settings, const Vector<Dim>& up)
+:
+    name_(settings.name),
+    condition_
+    (
+        static_cast<Condition>
+        (
+            choose
+            (
+                "wall " + settings.name + ": condition",
+                settings.condition,
+                WallSettings::conditions()
+            )
+        )
+    ),
+    friction_(settings.friction),
+    point_(),
+    normal_(),
+    terrain_
+    (
+        settings.type == "terrain"
+      ? std::make_shared<const Terrain<Dim>>
+        (
+            settings.name, settings.vertices, settings.triangles, up
+        )
+      : nullptr
+    )
+{
+    double square = 0;
+    for (int d = 0; d < Dim; ++d)
+    {
+        point_[d] = settings.point[d];
+        square += settings.normal[d]*settings.normal[d];
+    }
+    for (int d = 0; !terrain_ && d < Dim; ++d)
+    {
+        normal_[d] = settings.normal[d]/std::sqrt(square);
+    }
+}
+
+
+// * * * * * * * * * * * * * Explicit Instantiations * * * * * * * * * * * * //
+
+template class mpm::Wall<2>;
+template class mpm::Wall<3>;
+
+
+// ************************************************************************* //
