@@ -91,7 +91,7 @@ static dictionary tableDictionary(const argList& args, const Time& runTime)
 
     if (!dict.empty())
     {
-        dict.name() = "the command line";
+        dict.name() = "options";
         return dict;
     }
 
