@@ -161,13 +161,6 @@ inline Vector<3> column(const Stress<3>& s, const int d)
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<int Dim, class Shape>
-bool mpm::GenericCycle<Dim, Shape>::affineGradient() const
-{
-    return affine_ && std::is_same<Shape, QuadraticBSpline>::value;
-}
-
-
-template<int Dim, class Shape>
 void mpm::GenericCycle<Dim, Shape>::scatterMomentum
 (
     State<Dim>& state,
@@ -179,7 +172,7 @@ void mpm::GenericCycle<Dim, Shape>::scatterMomentum
     Node* patch = state.grid.patchOf(b);
     std::fill_n(patch, BlockGrid<Dim>::nPatchNodes, Node{});
 
-    Stencil stencil(state.grid.cellSize(), affineGradient());
+    Stencil stencil(state.grid.cellSize(), affine_);
     for (std::size_t i = 0; i < block.points.size(); i += stencil.size)
     {
         stencil.take(cloud.x, state.grid, block, i);
@@ -227,7 +220,7 @@ void mpm::GenericCycle<Dim, Shape>::scatterForces
     Node* patch = state.grid.patchOf(b);
     std::fill_n(patch, BlockGrid<Dim>::nPatchNodes, Node{});
 
-    Stencil stencil(state.grid.cellSize(), affineGradient());
+    Stencil stencil(state.grid.cellSize(), affine_);
     for (std::size_t i = 0; i < block.points.size(); i += stencil.size)
     {
         stencil.take(cloud.x, state.grid, block, i);
@@ -320,7 +313,7 @@ void mpm::GenericCycle<Dim, Shape>::updateStress
     alignas(64) Node patch[BlockGrid<Dim>::nPatchNodes];
     state.grid.collect(velocity, block, patch);
 
-    Stencil stencil(state.grid.cellSize(), affineGradient());
+    Stencil stencil(state.grid.cellSize(), affine_);
     for (std::size_t i = 0; i < block.points.size(); i += stencil.size)
     {
         stencil.take(state.cloud.x, state.grid, block, i);
@@ -372,6 +365,23 @@ void mpm::GenericCycle<Dim, Shape>::updateStress
 
 
 template<int Dim, class Shape>
+void mpm::GenericCycle<Dim, Shape>::keep
+(
+    State<Dim>& state,
+    const std::size_t b,
+    NodeField& field
+)
+{
+    std::copy_n
+    (
+        state.grid.nodesOf(b),
+        BlockGrid<Dim>::nNodes,
+        field.data() + b*BlockGrid<Dim>::nNodes
+    );
+}
+
+
+template<int Dim, class Shape>
 void mpm::GenericCycle<Dim, Shape>::gather
 (
     State<Dim>& state,
@@ -379,15 +389,15 @@ void mpm::GenericCycle<Dim, Shape>::gather
     const double deltaT
 ) const
 {
-    Block& block = state.grid[b];
+    const Block& block = state.grid[b];
     if (block.points.empty())
     {
         return;
     }
 
-    alignas(64) Node now[BlockGrid<Dim>::nPatchNodes];
+    alignas(64) Node after[BlockGrid<Dim>::nPatchNodes];
     alignas(64) Node before[BlockGrid<Dim>::nPatchNodes];
-    state.grid.collect(state.grid.nodes, block, now);
+    state.grid.collect(after_, block, after);
     state.grid.collect(before_, block, before);
 
     const Settings& settings = state.settings;
@@ -397,9 +407,7 @@ void mpm::GenericCycle<Dim, Shape>::gather
       : std::exp(-deltaT/settings.flipTime);
 
     PointCloud<Dim>& cloud = state.cloud;
-    BlockReport<Dim>& report = state.reports[b];
-    Stencil stencil(state.grid.cellSize(), affineGradient());
-    std::size_t kept = 0;
+    Stencil stencil(state.grid.cellSize(), affine_);
     for (std::size_t i = 0; i < block.points.size(); i += stencil.size)
     {
         stencil.take(cloud.x, state.grid, block, i);
@@ -421,20 +429,19 @@ void mpm::GenericCycle<Dim, Shape>::gather
                 {
                     for (int r = 0; r < Dim; ++r)
                     {
-                        v[r] += weight*now[node][r];
-                        change[r] += weight*(now[node][r] - before[node][r]);
+                        v[r] += weight*after[node][r];
+                        change[r] +=
+                            weight*(after[node][r] - before[node][r]);
                         for (int c = 0; c < Dim; ++c)
                         {
-                            C[r*Dim + c] += now[node][r]*gradient[c];
+                            C[r*Dim + c] += after[node][r]*gradient[c];
                         }
                     }
                 }
             );
 
-            Vector<Dim> dx;
             for (int d = 0; d < Dim; ++d)
             {
-                dx[d] = deltaT*v[d];
                 cloud.v[p][d] =
                     share*(cloud.v[p][d] + change[d]) + (1 - share)*v[d];
             }
@@ -442,9 +449,59 @@ void mpm::GenericCycle<Dim, Shape>::gather
             {
                 cloud.C[p] = C;
             }
+        }
+    }
+}
 
-            // The wave speed was reported with the stress
-            const double wave2 = report.wave2;
+
+template<int Dim, class Shape>
+void mpm::GenericCycle<Dim, Shape>::move
+(
+    State<Dim>& state,
+    const std::size_t b,
+    const double deltaT
+) const
+{
+    Block& block = state.grid[b];
+    if (block.points.empty())
+    {
+        return;
+    }
+
+    alignas(64) Node after[BlockGrid<Dim>::nPatchNodes];
+    state.grid.collect(after_, block, after);
+
+    // The wave speed was reported with the stress
+    BlockReport<Dim>& report = state.reports[b];
+    const double wave2 = report.wave2;
+
+    Stencil stencil(state.grid.cellSize(), affine_);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < block.points.size(); i += stencil.size)
+    {
+        stencil.take(state.cloud.x, state.grid, block, i);
+        for (int l = 0; l < stencil.count(); ++l)
+        {
+            Vector<Dim> dx{};
+            stencil.forNodes
+            (
+                l,
+                [&]
+                (
+                    const int node,
+                    const double weight,
+                    const Vector<Dim>&,
+                    const Vector<Dim>&
+                )
+                {
+                    for (int d = 0; d < Dim; ++d)
+                    {
+                        dx[d] += deltaT*weight*after[node][d];
+                    }
+                }
+            );
+
+            const std::int32_t p = stencil.points()[l];
             if (movePoint<Dim, Shape>(state, block, p, dx, wave2, report))
             {
                 block.points[kept++] = p;
@@ -478,6 +535,7 @@ void mpm::GenericCycle<Dim, Shape>::step
 
     BlockGrid<Dim>& grid = state.grid;
     before_.resize(grid.nodes.size());
+    after_.resize(grid.nodes.size());
     forces_.resize(grid.nodes.size());
 
     const StressUpdate<Dim> stress(state.laws, deltaT, state.elastic);
@@ -495,12 +553,7 @@ void mpm::GenericCycle<Dim, Shape>::step
         [&](Index b)
         {
             sumVelocities(state, b);
-            std::copy_n
-            (
-                grid.nodesOf(b),
-                BlockGrid<Dim>::nNodes,
-                before_.data() + b*BlockGrid<Dim>::nNodes
-            );
+            keep(state, b, before_);
             if (stressFirst_)
             {
                 applyWalls(state, b);
@@ -522,9 +575,23 @@ void mpm::GenericCycle<Dim, Shape>::step
         {
             sumForces(state, b);
             balance(state, b, deltaT);
+            keep(state, b, after_);
         }
     );
+    state.forBlocks([&](Index b) { gather(state, b, deltaT); });
 
+    if (!stressFirst_ && !affine_)
+    {
+        state.forBlocks([&](Index b) { scatterMomentum(state, b); });
+        state.forBlocks
+        (
+            [&](Index b)
+            {
+                sumVelocities(state, b);
+                applyWalls(state, b);
+            }
+        );
+    }
     if (!stressFirst_)
     {
         state.forBlocks
@@ -532,7 +599,7 @@ void mpm::GenericCycle<Dim, Shape>::step
             [&](Index b) { updateStress(state, b, grid.nodes, stress); }
         );
     }
-    state.forBlocks([&](Index b) { gather(state, b, deltaT); });
+    state.forBlocks([&](Index b) { move(state, b, deltaT); });
 }
 
 

@@ -25,6 +25,7 @@ License
 #include "mpmNames.H"
 
 #include <cmath>
+#include <stdexcept>
 
 // * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
 
@@ -84,6 +85,16 @@ void mpm::Settings::validate(const int dimension) const
     choose("shapeFunction", shapeFunction, shapeFunctions());
     choose("transferScheme", transferScheme, transferSchemes());
     choose("stressUpdate", stressUpdate, stressUpdates());
+
+    if (shapeFunction == "linear" && transferScheme == "APIC")
+    {
+        throw std::invalid_argument
+        (
+            "shapeFunction linear with transferScheme APIC: the affine "
+            "velocity has no bound where a node is nearly empty. Use "
+            "transferScheme FLIP or shapeFunction quadraticBSpline"
+        );
+    }
 
     require(flipTime > 0, "flipTime", flipTime, "> 0 [s]");
     require
