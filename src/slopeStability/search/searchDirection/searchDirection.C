@@ -224,7 +224,8 @@ slopeStability::searchDirection::gridSearch() const
         );
         if (isApart)
         {
-            starts.push_back(m);
+            // As all later ones, from its place: to the last digit
+            starts.push_back({m.place, evaluate(Eigen::Vector3d(m.place))});
         }
         if (int(starts.size()) == settings_.nStarts)
         {
@@ -392,7 +393,10 @@ slopeStability::slipResult slopeStability::searchDirection::find() const
 
     for (minimum& m : found)
     {
-        m = localSearch(m, {0, 1, 2}, 0.7, coarse);
+        if (m.value < infinity)
+        {
+            m = localSearch(m, {0, 1, 2}, 0.7, coarse);
+        }
     }
     std::stable_sort
     (
@@ -403,8 +407,16 @@ slopeStability::slipResult slopeStability::searchDirection::find() const
     found.resize(std::min(nRefined, found.size()));
 
     minimum best = found.front();
+    if (best.value == infinity)
+    {
+        return counts_;
+    }
     for (const minimum& m : found)
     {
+        if (m.value == infinity)
+        {
+            continue;
+        }
         const minimum refined =
             searchAtBends(localSearch(m, {0, 1, 2}, 0.1, fine));
         if (refined.value < best.value)
