@@ -61,7 +61,7 @@ void Foam::fieldToPointMapping::gather
 template<class Type>
 Foam::tmp<Foam::Field<Type>> Foam::fieldToPointMapping::map
 (
-    const GeometricField<Type, fvPatchField, volMesh>& field,
+    const UList<Type>& cellValues,
     const Type& outsideValue
 ) const
 {
@@ -69,16 +69,26 @@ Foam::tmp<Foam::Field<Type>> Foam::fieldToPointMapping::map
 
     gather<Type>
     (
-        reconstruction_->values
-        (
-            field.primitiveField(),
-            cellIndex_,
-            displacement_
-        )(),
+        reconstruction_->values(cellValues, cellIndex_, displacement_)(),
         tvalues.ref()
     );
 
     return tvalues;
+}
+
+
+template<class Type>
+Foam::tmp<Foam::Field<Type>> Foam::fieldToPointMapping::map
+(
+    const GeometricField<Type, fvPatchField, volMesh>& field,
+    const Type& outsideValue
+) const
+{
+    return map<Type>
+    (
+        static_cast<const UList<Type>&>(field.primitiveField()),
+        outsideValue
+    );
 }
 
 // ************************************************************************* //

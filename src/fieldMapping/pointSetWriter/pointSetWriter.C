@@ -21,8 +21,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointSetWriter.H"
-#include "OSspecific.H"
 #include "error.H"
+#include "outputFolder.H"
+
 #include <fstream>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -43,12 +44,7 @@ void Foam::pointSetWriter::write
     const scalar time
 ) const
 {
-    if (!isDir(file.path()) && !mkDir(file.path()))
-    {
-        FatalErrorInFunction
-            << "Can't make the folder " << file.path()
-            << exit(FatalError);
-    }
+    makeOutputFolder(file.path());
 
     const fileName unfinished(file + ".unfinished");
 
@@ -64,12 +60,7 @@ void Foam::pointSetWriter::write
         }
     }
 
-    if (!mv(unfinished, file))
-    {
-        FatalErrorInFunction
-            << "Can't rename " << unfinished << " to " << file
-            << exit(FatalError);
-    }
+    replaceByComplete(unfinished, file);
 }
 
 // ************************************************************************* //

@@ -1,0 +1,132 @@
+/*---------------------------------------------------------------------------*\
+  slideFoam | from rain to runout
+  Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with slideFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+Application
+    mpmFoam
+
+Description
+    Lets a slope slide from the water of a hydrological time of a finished
+    case, exactly as the function object landslideRunout does it in the run.
+
+Usage
+    \b mpmFoam [OPTION]
+
+    Options:
+      - \par -time \<ranges\>, -latestTime
+        The hydrological times.
+
+      - \par -name \<label\>
+        The label of the output, default landslideRunout.
+
+      - \par -mpmProperties \<file\>, -soilProperties \<file\>
+        Variants of these files in constant, for states that differ in strength.
+
+      - \par -stability \<label\>
+        Whose factor of safety decides with run whenFactorOfSafetyBelow,
+        default slopeStability.
+
+    With points from a file (see Foam::slidePoints) neither mesh nor fields are
+    needed, and the hydrological time is 0 unless -time chooses another.
+
+    Sample runs:
+    \verbatim
+    mpmFoam -time 0
+    mpmFoam -latestTime -name weak -soilProperties soilProperties.weak
+    mpirun -np 2 mpmFoam -parallel -time 3600
+    \endverbatim
+
+See also
+    Foam::landslideRunout
+
+\*---------------------------------------------------------------------------*/
+
+#include "fvCFD.H"
+#include "landslideRunout.H"
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+int main(int argc, char *argv[])
+{
+    argList::addNote
+    (
+        "Lets a slope slide from the water of a time of a finished case"
+    );
+
+    timeSelector::addOptions();
+    argList::addOption("name", "label", "Label of the output");
+    argList::addOption("mpmProperties", "file", "Variant of mpmProperties");
+    argList::addOption("soilProperties", "file", "Variant of soilProperties");
+    argList::addOption("psi", "field", "Name of the pressure head");
+    argList::addOption("theta", "field", "Name of the water content");
+    argList::addOption("stability", "label", "Whose factor of safety to ask");
+
+    #include "addRegionOption.H"
+    #include "setRootCase.H"
+    #include "createTime.H"
+
+    dictionary options;
+    for
+    (
+        const word& key :
+        wordList({"mpmProperties", "soilProperties", "psi", "theta", "stability"})
+    )
+    {
+        if (args.found(key))
+        {
+            options.add(key, args.get<fileName>(key));
+        }
+    }
+    const word name
+    (
+        args.getOrDefault<word>("name", landslideRunout::typeName)
+    );
+
+    if (landslideRunout::needsNoMesh(runTime, options))
+    {
+        if (args.found("time"))
+        {
+            runTime.setTime(timeSelector::select0(runTime, args).last(), 0);
+        }
+
+        landslideRunout(name, runTime, nullptr, options).execute(std::nullopt);
+    }
+    else
+    {
+        const instantList times(timeSelector::select0(runTime, args));
+
+        #include "createNamedMesh.H"
+
+        landslideRunout runout(name, runTime, &mesh, options);
+
+        forAll(times, timei)
+        {
+            runTime.setTime(times[timei], timei);
+            mesh.readUpdate();
+
+            runout.execute(runout.writtenFactorOfSafety());
+        }
+    }
+
+    Info<< "End" << nl << endl;
+
+    return 0;
+}
+
+// ************************************************************************* //

@@ -1,0 +1,229 @@
+/*---------------------------------------------------------------------------*\
+  slideFoam | from rain to runout
+  Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with slideFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "slideRecord.H"
+#include "OSspecific.H"
+#include "outputFolder.H"
+#include "pointTable.H"
+#include "slideFrame.H"
+#include "vtpPointSetWriter.H"
+#include "mpmRun.H"
+
+#include <fstream>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::pointTable Foam::slideRecord::table(const mpm::Run& run) const
+{
+    const label n = run.nPoints();
+
+    const auto vectors =
+        [&](const word& name)
+        {
+            const std::vector<double> values(run.field(name));
+            vectorField result(n);
+            forAll(result, i)
+            {
+                result[i] =
+                    vector(values[3*i], values[3*i + 1], values[3*i + 2]);
+            }
+            return result;
+        };
+
+    const auto toSpace =
+        [&](vectorField values)
+        {
+            for (vector& v : values)
+            {
+                v = frame_.directionToSpace(v);
+            }
+            return values;
+        };
+
+    pointTable table(frame_.toSpace(vectors("position"))());
+
+    for (const word& name : wordList({"velocity", "displacement"}))
+    {
+        table.add(name, toSpace(vectors(name)));
+    }
+
+    // The engine's order is xx yy zz xy yz zx
+    const std::vector<double> s(run.field("sigma"));
+    symmTensorField sigma(n);
+    forAll(sigma, i)
+    {
+        const double* c = &s[6*i];
+        sigma[i] = frame_.stressToSpace
+        (
+            symmTensor(c[0], c[3], c[5], c[1], c[4], c[2])
+        );
+    }
+    table.add("sigma", sigma);
+
+    const wordList scalars
+    ({
+        "cohesionIntercept", "porePressure", "rho", "frictionAngle",
+        "equivalentPlasticStrain", "zone"
+    });
+
+    for (const word& name : scalars)
+    {
+        const std::vector<double> values(run.field(name));
+        scalarField field(n);
+        std::copy(values.begin(), values.end(), field.begin());
+        table.add(name, field);
+    }
+
+    return table;
+}
+
+
+Foam::word Foam::slideRecord::pointFile(const scalar time)
+{
+    return "points_" + timeTable::text(time) + ".vtp";
+}
+
+
+void Foam::slideRecord::writeSeries() const
+{
+    const fileName file(folder_/"points.pvd");
+    const fileName unfinished(file + ".unfinished");
+
+    {
+        std::ofstream os(unfinished);
+
+        os  << "<?xml version='1.0'?>\n"
+            << "<VTKFile type='Collection' version='0.1'>\n<Collection>\n";
+
+        for (const scalar time : pointTimes_)
+        {
+            os  << "<DataSet timestep='" << timeTable::text(time)
+                << "' file='" << pointFile(time) << "'/>\n";
+        }
+
+        os  << "</Collection>\n</VTKFile>\n";
+    }
+
+    replaceByComplete(unfinished, file);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::slideRecord::slideRecord
+(
+    const fileName& folder,
+    const slideFrame& frame,
+    const scalar fromTime
+)
+:
+    folder_(folder),
+    frame_(frame),
+    runout_
+    (
+        folder/"runout.dat",
+        {
+            "time", "kineticEnergy", "maxDisplacement", "front", "crest",
+            "activePoints"
+        }
+    ),
+    pointTimes_()
+{
+    runout_.removeAfter(fromTime);
+
+    // The point files that are there, by the times in their names
+    scalarList times;
+    for (const fileName& name : readDir(folder_, fileName::FILE))
+    {
+        const auto underscore = name.find('_');
+
+        if (name.ext() == "vtp" && underscore != std::string::npos)
+        {
+            times.append(std::stod(name.lessExt().substr(underscore + 1)));
+        }
+    }
+    sort(times);
+
+    for (const scalar time : times)
+    {
+        if (time <= timeTable::rounded(fromTime))
+        {
+            pointTimes_.append(time);
+        }
+        else
+        {
+            rm(folder_/pointFile(time));
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::slideRecord::add(const mpm::Diagnostics& d)
+{
+    runout_.set
+    (
+        d.time,
+        {
+            timeTable::text(d.kineticEnergy),
+            timeTable::text(d.maxDisplacement),
+            timeTable::text(d.front),
+            timeTable::text(d.crest),
+            Foam::name(label(d.activePoints))
+        }
+    );
+}
+
+
+void Foam::slideRecord::write(const mpm::Run& run)
+{
+    runout_.write();
+
+    pointSetWriters::vtpPointSetWriter().write
+    (
+        folder_/pointFile(run.time()),
+        table(run),
+        run.time()
+    );
+
+    const scalar time = timeTable::rounded(run.time());
+
+    if (pointTimes_.empty() || pointTimes_.last() < time)
+    {
+        pointTimes_.append(time);
+    }
+    writeSeries();
+}
+
+
+void Foam::slideRecord::writeFinal(const mpm::Run& run) const
+{
+    pointSetWriters::vtpPointSetWriter().write
+    (
+        folder_/"final.vtp",
+        table(run),
+        run.time()
+    );
+}
+
+// ************************************************************************* //

@@ -1,0 +1,155 @@
+/*---------------------------------------------------------------------------*\
+  slideFoam | from rain to runout
+  Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with slideFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "slideState.H"
+#include "DynamicList.H"
+#include "IFstream.H"
+#include "ListOps.H"
+#include "OFstream.H"
+#include "OSspecific.H"
+#include "dictionary.H"
+#include "outputFolder.H"
+#include "timeTable.H"
+#include "mpmRun.H"
+
+#include <fstream>
+#include <stdexcept>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalarList Foam::slideState::times() const
+{
+    DynamicList<scalar> result;
+
+    for (const fileName& name : readDir(folder_, fileName::DIRECTORY))
+    {
+        scalar time;
+
+        if
+        (
+            readScalar(name, time)
+         && isFile(folder_/name/"run")
+         && isFile(folder_/name/"state")
+        )
+        {
+            result.append(time);
+        }
+    }
+
+    sort(result, std::greater<scalar>());
+
+    return scalarList(std::move(result));
+}
+
+
+Foam::fileName Foam::slideState::folder(const scalar time) const
+{
+    return folder_/timeTable::text(time);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::slideState::slideState
+(
+    const fileName& timeFolder,
+    const word& name,
+    const word& digest
+)
+:
+    folder_(isDir(timeFolder) ? timeFolder/name : fileName()),
+    digest_(digest),
+    row_(0),
+    timeAtRest_(0)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::slideState::restore(mpm::Run& run)
+{
+    if (!kept() || !isDir(folder_))
+    {
+        return false;
+    }
+
+    for (const scalar time : times())
+    {
+        IFstream is(folder(time)/"state");
+        const dictionary dict(is);
+
+        if (dict.get<word>("digest") != digest_)
+        {
+            continue;
+        }
+
+        std::ifstream runStream(folder(time)/"run", std::ios::binary);
+        run.restore(runStream);
+
+        row_ = dict.get<label>("row");
+        timeAtRest_ = dict.get<scalar>("timeAtRest");
+
+        return true;
+    }
+
+    return false;
+}
+
+
+void Foam::slideState::save(const mpm::Run& run) const
+{
+    if (!kept())
+    {
+        return;
+    }
+
+    const fileName complete(folder(run.time()));
+    const fileName unfinished(complete + ".unfinished");
+
+    makeOutputFolder(unfinished);
+
+    {
+        std::ofstream os(unfinished/"run", std::ios::binary);
+        run.save(os);
+
+        if (!os.flush())
+        {
+            throw std::runtime_error
+            (
+                "can't write the file " + unfinished + "/run"
+            );
+        }
+    }
+
+    dictionary dict;
+    dict.add("digest", digest_);
+    dict.add("row", row_);
+
+    OFstream os(unfinished/"state");
+    os.precision(std::numeric_limits<scalar>::max_digits10);
+    dict.write(os, false);
+    os.writeEntry("timeAtRest", timeAtRest_);
+
+    replaceByComplete(unfinished, complete);
+}
+
+// ************************************************************************* //

@@ -1,0 +1,73 @@
+/*---------------------------------------------------------------------------*\
+  slideFoam | from rain to runout
+  Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with slideFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "meshBaseSlideWall.H"
+#include "addToRunTimeSelectionTable.H"
+#include "fvMesh.H"
+#include "meshTerrain.H"
+#include "mpmChecked.H"
+#include "slidePoints.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace slideWalls
+{
+    defineTypeNameAndDebug(meshBaseSlideWall, 0);
+    addToRunTimeSelectionTable(slideWall, meshBaseSlideWall, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::slideWalls::meshBaseSlideWall::meshBaseSlideWall
+(
+    const word& name,
+    const dictionary& dict
+)
+:
+    slideWall(name, dict)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::slideWalls::meshBaseSlideWall::append
+(
+    std::vector<mpm::WallSettings>& walls,
+    const slidePoints& points,
+    const fvMesh* meshPtr
+) const
+{
+    checkKeys(dict(), {"type", "condition", "friction"});
+    requireMesh(meshPtr);
+
+    walls.push_back(settings("terrain"));
+
+    const boolList anyCell(meshPtr->nCells(), true);
+    meshTerrain(*meshPtr, points, anyCell, meshTerrain::UNDERSIDE)
+        .fill(walls.back());
+}
+
+// ************************************************************************* //

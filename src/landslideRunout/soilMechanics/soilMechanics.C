@@ -1,0 +1,168 @@
+/*---------------------------------------------------------------------------*\
+  slideFoam | from rain to runout
+  Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with slideFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "soilMechanics.H"
+#include "localShearStrength.H"
+#include "mpmChecked.H"
+#include "readChecked.H"
+#include "unitConversion.H"
+#include "waterRetentionModel.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::soilMechanics::soilMechanics
+(
+    const word& name,
+    const dictionary& soilDict
+)
+:
+    name_(name),
+    rhoDry_(0),
+    cohesion_(0),
+    frictionAngle_(0),
+    material_(),
+    thetaS_(-1),
+    thetaR_(-1)
+{
+    const dictionary& dict = soilDict.subDict("mechanical");
+
+    checkKeys
+    (
+        dict,
+        {
+            "rhoDry", "cohesion", "frictionAngle", "dilationAngle", "E", "nu",
+            "constitutiveModel", "tensileStrength"
+        }
+    );
+
+    const auto positive = [](const scalar x){ return x > 0; };
+    const auto notNegative = [](const scalar x){ return x >= 0; };
+
+    rhoDry_ = readChecked(dict, "rhoDry", positive, "> 0 kg/m3");
+    cohesion_ = readChecked(dict, "cohesion", notNegative, ">= 0 Pa");
+    frictionAngle_ = readChecked
+    (
+        dict,
+        "frictionAngle",
+        [](const scalar x){ return x > 0 && x < 90; },
+        "0 < frictionAngle < 90 deg"
+    );
+
+    material_.name = name;
+    material_.E = readChecked(dict, "E", positive, "> 0 Pa");
+    material_.nu = readChecked
+    (
+        dict,
+        "nu",
+        [](const scalar x){ return x >= 0 && x < 0.5; },
+        "0 <= nu < 0.5"
+    );
+    material_.dilationAngle = readCheckedOrDefault
+    (
+        dict,
+        "dilationAngle",
+        0,
+        [this](const scalar x){ return x >= 0 && x <= frictionAngle_; },
+        "0 to frictionAngle deg"
+    );
+    material_.constitutiveModel =
+        dict.getOrDefault<word>
+        (
+            "constitutiveModel",
+            material_.constitutiveModel
+        );
+
+    if (dict.found("tensileStrength"))
+    {
+        material_.tensionCutOff = true;
+        material_.tensileStrength =
+            readChecked(dict, "tensileStrength", notNegative, ">= 0 Pa");
+    }
+
+    mpmChecked
+    (
+        dict,
+        "reading the soil " + name,
+        [this](){ material_.validate(); }
+    );
+
+    if (const dictionary* hydraulicPtr = soilDict.findDict("hydraulic"))
+    {
+        const autoPtr<waterRetentionModel> retention
+        (
+            waterRetentionModel::New(hydraulicPtr->subDict("retention"))
+        );
+
+        thetaS_ = retention->thetaS();
+        thetaR_ = retention->thetaR();
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::soilMechanics::tanPhi() const
+{
+    return std::tan(degToRad(frictionAngle_));
+}
+
+
+Foam::scalar Foam::soilMechanics::limited(const scalar theta) const
+{
+    return max(thetaR_, min(thetaS_, theta));
+}
+
+
+Foam::scalar Foam::soilMechanics::porePressure
+(
+    const scalar theta,
+    const scalar uw
+) const
+{
+    return localShearStrength::porePressure
+    (
+        localShearStrength::effectiveStressParameter(theta, thetaS_, thetaR_),
+        uw
+    );
+}
+
+
+Foam::scalar Foam::soilMechanics::cohesionIntercept
+(
+    const scalar porePressure
+) const
+{
+    return
+        localShearStrength::cohesionIntercept(cohesion_, porePressure, tanPhi());
+}
+
+
+Foam::scalar Foam::soilMechanics::bulkDensity
+(
+    const scalar theta,
+    const scalar rhoWater
+) const
+{
+    return localShearStrength::bulkDensity(rhoDry_, theta, rhoWater);
+}
+
+// ************************************************************************* //
