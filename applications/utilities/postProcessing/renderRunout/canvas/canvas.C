@@ -91,6 +91,26 @@ void runoutPicture::canvas::fillRectangle
 }
 
 
+void runoutPicture::canvas::drawFrame
+(
+    const rectangle& frame,
+    const double lineWidth,
+    const colour& c
+)
+{
+    const double t = lineWidth;
+    const double x0 = frame.left;
+    const double x1 = frame.left + frame.width;
+    const double y0 = frame.bottom;
+    const double y1 = frame.bottom + frame.height;
+
+    fillRectangle({x0 - t, y0 - t}, {x1 + t, y0}, c);
+    fillRectangle({x0 - t, y1}, {x1 + t, y1 + t}, c);
+    fillRectangle({x0 - t, y0}, {x0, y1}, c);
+    fillRectangle({x1, y0}, {x1 + t, y1}, c);
+}
+
+
 void runoutPicture::canvas::fillDisc
 (
     const position& centre,

@@ -31,7 +31,6 @@ using runoutPicture::colour;
 using runoutPicture::textPainter;
 
 constexpr colour white{255, 255, 255};
-constexpr colour frameInk{90, 90, 90};
 
 //- Pixels of the drawing in one of the picture, each way
 const int fineness = 3;
@@ -164,25 +163,6 @@ void runoutPicture::picture::layOut()
 }
 
 
-void runoutPicture::picture::drawFrame
-(
-    canvas& target,
-    const rectangle& frame
-) const
-{
-    const double t = std::max(1, settings_.fontSize/16);
-    const double x0 = frame.left;
-    const double x1 = frame.left + frame.width;
-    const double y0 = frame.bottom;
-    const double y1 = frame.bottom + frame.height;
-
-    target.fillRectangle({x0 - t, y0 - t}, {x1 + t, y0}, frameInk);
-    target.fillRectangle({x0 - t, y1}, {x1 + t, y1 + t}, frameInk);
-    target.fillRectangle({x0 - t, y0}, {x0, y1}, frameInk);
-    target.fillRectangle({x1, y0}, {x1 + t, y1}, frameInk);
-}
-
-
 void runoutPicture::picture::drawAxes
 (
     canvas& target,
@@ -196,13 +176,12 @@ void runoutPicture::picture::drawAxes
     const double t = std::max(1, settings_.fontSize/16);
     const double length = em(0.3);
 
-    drawFrame(target, frame);
+    target.drawFrame(frame, t, frameInk);
 
     // As many ticks as there is room for their text
     const int nx = std::max(2, frame.width/em(5));
     const int ny = std::max(1, frame.height/em(2.4));
 
-    // The same step on both axes where that leaves enough ticks
     for (const axisTick& tick : linearTicks(w.xMin, w.xMax, nx))
     {
         const double x =
@@ -292,130 +271,6 @@ void runoutPicture::picture::drawMarks
 }
 
 
-void runoutPicture::picture::drawUprightBar
-(
-    canvas& target,
-    const colourScale& scale,
-    const rectangle& bar
-) const
-{
-    const double x0 = bar.left;
-    const double x1 = bar.left + bar.width;
-
-    for (int j = 0; j < bar.height; ++j)
-    {
-        const double y = bar.bottom + j;
-        target.fillRectangle
-        (
-            {x0, y}, {x1, y + 1}, scale.atFraction((j + 0.5)/bar.height)
-        );
-    }
-    drawFrame(target, bar);
-
-    // A triangle beyond an end says that there are values beyond it
-    const auto tip = [&](const double y, const double dy, const colour& c)
-    {
-        target.fillTriangle
-        (
-            {position{x0, y}, position{x1, y}, position{0.5*(x0 + x1), y + dy}},
-            [&c](double, double, double) { return c; }
-        );
-    };
-    const double beyond = em(0.12);
-    if (scale.above())
-    {
-        tip(bar.bottom + bar.height + beyond, em(0.6), scale.atFraction(1));
-    }
-    if (scale.below())
-    {
-        tip(bar.bottom - beyond, -em(0.6), scale.atFraction(0));
-    }
-
-    int widest = 0;
-    for (const axisTick& tick : scale.ticks(std::max(2, bar.height/em(2.2))))
-    {
-        const double y =
-            bar.bottom + scale.fraction(tick.value)*bar.height;
-
-        target.fillRectangle({x1, y}, {x1 + em(0.25), y + 1}, frameInk);
-        textPainter::draw(target, tick.text, {x1 + em(0.45), y}, plain());
-        widest = std::max(widest, textPainter::width(tick.text, plain()));
-    }
-
-    textPainter::style upright(plain());
-    upright.upright = true;
-    textPainter::draw
-    (
-        target,
-        scale.settings().label,
-        {x1 + em(0.45) + widest + em(0.9), bar.bottom + 0.5*bar.height},
-        upright,
-        textPainter::anchor::centre
-    );
-}
-
-
-void runoutPicture::picture::drawLyingBar
-(
-    canvas& target,
-    const colourScale& scale,
-    const rectangle& bar
-) const
-{
-    const double y0 = bar.bottom;
-    const double y1 = bar.bottom + bar.height;
-
-    for (int i = 0; i < bar.width; ++i)
-    {
-        const double x = bar.left + i;
-        target.fillRectangle
-        (
-            {x, y0}, {x + 1, y1}, scale.atFraction((i + 0.5)/bar.width)
-        );
-    }
-    drawFrame(target, bar);
-
-    const auto tip = [&](const double x, const double dx, const colour& c)
-    {
-        target.fillTriangle
-        (
-            {position{x, y0}, position{x, y1}, position{x + dx, 0.5*(y0 + y1)}},
-            [&c](double, double, double) { return c; }
-        );
-    };
-    const double beyond = em(0.12);
-    if (scale.above())
-    {
-        tip(bar.left + bar.width + beyond, em(0.6), scale.atFraction(1));
-    }
-    if (scale.below())
-    {
-        tip(bar.left - beyond, -em(0.6), scale.atFraction(0));
-    }
-
-    for (const axisTick& tick : scale.ticks(std::max(2, bar.width/em(5))))
-    {
-        const double x = bar.left + scale.fraction(tick.value)*bar.width;
-
-        target.fillRectangle({x, y0 - em(0.25)}, {x + 1, y0}, frameInk);
-        textPainter::draw
-        (
-            target, tick.text, {x, y0 - em(0.9)}, plain(),
-            textPainter::anchor::centre
-        );
-    }
-
-    textPainter::draw
-    (
-        target,
-        scale.settings().label,
-        {bar.left + 0.5*bar.width, y0 - em(2.1)},
-        plain(),
-        textPainter::anchor::centre
-    );
-}
-
-
 void runoutPicture::picture::drawPanel
 (
     canvas& target,
@@ -440,10 +295,9 @@ void runoutPicture::picture::drawPanel
     {
         // Room for the tips beyond both ends
         const int tips = em(0.8);
-        drawUprightBar
+        colourBar(*scales_[i], settings_.fontSize).drawUpright
         (
             target,
-            *scales_[i],
             {
                 frame.left + frame.width + em(0.9),
                 frame.bottom + tips,
@@ -488,10 +342,9 @@ runoutPicture::canvas runoutPicture::picture::draw() const
     if (shared_)
     {
         // Half of the width, in the middle
-        drawLyingBar
+        colourBar(*scales_.front(), settings_.fontSize).drawLying
         (
             target,
-            *scales_.front(),
             {settings_.width/4, em(3), settings_.width/2, em(0.8)}
         );
     }

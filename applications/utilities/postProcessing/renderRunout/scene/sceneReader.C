@@ -23,8 +23,8 @@ License
 #include "sceneReader.H"
 
 #include <fstream>
+#include <limits>
 #include <map>
-#include <unordered_map>
 
 #include <vtkCell.h>
 #include <vtkCellArray.h>
