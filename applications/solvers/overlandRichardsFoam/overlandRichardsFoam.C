@@ -1,0 +1,119 @@
+/*---------------------------------------------------------------------------*\
+    slideFoam | from rain to runout
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by the
+    Free Software Foundation, either version 3 of the License, or (at your
+    option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE. See the GNU General Public License for
+    more details.
+
+    You should have received a copy of the GNU General Public License along
+    with slideFoam. If not, see <http://www.gnu.org/licenses/>.
+
+Application
+    overlandRichardsFoam
+
+Group
+    grpSubsurfaceSolvers
+
+Description
+    Rain, overland flow and variably saturated flow in the soil, coupled both
+    ways in one system of equations (Zhu2022 Eqs. 7-12).
+
+    Solves Richards' equation in the cells of the mesh and the diffusion wave
+    on the finite-area mesh of its ground patch. Without
+    constant/overlandProperties there is seepage alone, without
+    constant/soilProperties overland flow alone. Time steps adapt themselves
+    and end on output times and changes of rain. The water balance is printed
+    each step and written to postProcessing/waterBalance.
+
+    Sample runs:
+    \verbatim
+        makeFaMesh
+        setWaterTable
+        overlandRichardsFoam
+
+        decomposePar
+        mpirun -np 2 overlandRichardsFoam -parallel
+    \endverbatim
+
+\*---------------------------------------------------------------------------*/
+
+#include "argList.H"
+#include "Time.H"
+#include "fvMesh.H"
+#include "columnFvMesh.H"
+#include "coupledFlow.H"
+#include "restartState.H"
+#include "solverStatistics.H"
+#include "timeStepControl.H"
+#include "waterBalance.H"
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+int main(int argc, char *argv[])
+{
+    argList::addNote
+    (
+        "Rain, overland flow and variably saturated flow in the soil,"
+        " coupled both ways in one system of equations"
+    );
+
+    #include "setRootCaseLists.H"
+    #include "createTime.H"
+    #include "createMesh.H"
+
+    // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+    coupledFlow water(mesh);
+    restartState state(runTime);
+    timeStepControl timeStep(runTime, water.controls(), state);
+    waterBalance balance(water, state);
+    solverStatistics statistics(water);
+
+    Info<< "\nStarting time loop\n" << endl;
+
+    while (runTime.run())
+    {
+        timeStep.begin(water);
+
+        do
+        {
+            water.solve
+            (
+                runTime.value(),
+                timeStep.length(),
+                timeStep.fallback()
+            );
+        }
+        while (timeStep.rejects(water));
+
+        water.accept();
+        timeStep.advance(water);
+
+        Info<< "Time = " << runTime.timeName()
+            << ", deltaT = " << runTime.deltaTValue() << nl << endl;
+
+        statistics.update(timeStep.nRejected());
+        balance.update();
+
+        runTime.write();
+        runTime.printExecutionTime(Info);
+    }
+
+    Info<< "End\n" << endl;
+
+    return 0;
+}
+
+// ************************************************************************* //

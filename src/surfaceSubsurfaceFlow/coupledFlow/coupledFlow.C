@@ -1,0 +1,358 @@
+/*---------------------------------------------------------------------------*\
+    slideFoam | from rain to runout
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by the
+    Free Software Foundation, either version 3 of the License, or (at your
+    option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE. See the GNU General Public License for
+    more details.
+
+    You should have received a copy of the GNU General Public License along
+    with slideFoam. If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "coupledFlow.H"
+#include "gravityMeshObject.H"
+#include "readChecked.H"
+#include "surfaceRainFvPatchScalarField.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Unit vector against gravity
+static vector upward(const Time& runTime)
+{
+    const vector g(meshObjects::gravity::New(runTime).value());
+
+    if (mag(g) < SMALL)
+    {
+        FatalErrorInFunction
+            << "constant/g is zero: it must say which way water runs"
+            << exit(FatalError);
+    }
+
+    return -g/mag(g);
+}
+
+
+//- The dictionary exists in constant
+static bool given(const fvMesh& mesh, const word& name)
+{
+    return IOobject
+    (
+        name,
+        mesh.time().constant(),
+        mesh,
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE,
+        false
+    ).typeHeaderOk<IOdictionary>(false);
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::dictionary Foam::coupledFlow::linearDefaults()
+{
+    return dictionary
+    (
+        IStringStream
+        (
+            "solver PBiCGStab; preconditioner DILU; tolerance 1e-14;"
+            " relTol 1e-5; maxIter 1000;"
+        )()
+    );
+}
+
+
+void Foam::coupledFlow::checkGround() const
+{
+    const fvBoundaryMesh& patches = mesh_.boundary();
+
+    forAll(patches, patchi)
+    {
+        const fvPatchScalarField& psi = soil_->psi().boundaryField()[patchi];
+        const word& patchName = patches[patchi].name();
+        const bool isGround =
+            overland_ && patchName == overland_->groundPatch();
+
+        if (isGround != (psi.type() == "groundSurface"))
+        {
+            FatalErrorInFunction
+                << "psi, patch " << patchName << ": type is " << psi.type()
+                << ". The groundPatch of constant/overlandProperties needs"
+                << " groundSurface, and no other patch may have it (file "
+                << soil_->psi().objectPath() << ')' << exit(FatalError);
+        }
+    }
+}
+
+
+void Foam::coupledFlow::addRainPatches()
+{
+    forAll(mesh_.boundary(), patchi)
+    {
+        const fvPatchScalarField& psi = soil_->psi().boundaryField()[patchi];
+
+        if (isA<surfaceRainFvPatchScalarField>(psi))
+        {
+            ground_.addPatch
+            (
+                mesh_.boundaryMesh()[patchi],
+                refCast<const surfaceRainFvPatchScalarField>(psi).rain()
+            );
+        }
+    }
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::coupledFlow::initialHeads() const
+{
+    auto thead = tmp<scalarField>::New(ground_.size(), Zero);
+    scalarField& head = thead.ref();
+
+    forAll(head, i)
+    {
+        if (soil_)
+        {
+            const label facei = ground_.faces()[i];
+            const label patchi = mesh_.boundaryMesh().whichPatch(facei);
+            const auto& psi = refCast<const soilBoundaryFvPatchScalarField>
+            (
+                soil_->psi().boundaryField()[patchi]
+            );
+
+            head[i] =
+                psi.valueGiven()
+              ? psi[facei - psi.patch().start()]
+              : min(soil_->hydrostaticHead(facei), scalar(0));
+        }
+
+        if (i < ground_.nRouted())
+        {
+            if (overland_->headGiven())
+            {
+                head[i] = overland_->hs()[i];
+            }
+            else if (overland_->depthGiven() && overland_->h()[i] > 0)
+            {
+                head[i] = overland_->h()[i];
+            }
+        }
+    }
+
+    return thead;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::coupledFlow::coupledFlow(fvMesh& mesh)
+:
+    mesh_(mesh),
+    controls_(mesh.solutionDict().subOrEmptyDict("overlandRichards")),
+    linearControls_(linearDefaults()),
+    maxIterations_
+    (
+        readCheckedOrDefault
+        (
+            controls_,
+            "maxIterations",
+            40,
+            [](const scalar n) { return n >= 1; },
+            ">= 1"
+        )
+    ),
+    tolerance_
+    (
+        readCheckedOrDefault
+        (
+            controls_,
+            "tolerance",
+            1e-10,
+            [](const scalar e) { return e > 0 && e < 1; },
+            "0 < tolerance < 1"
+        )
+    ),
+    nCorrectors_
+    (
+        readCheckedOrDefault
+        (
+            controls_,
+            "nNonOrthogonalCorrectors",
+            3,
+            [](const scalar n) { return n >= 0; },
+            ">= 0"
+        )
+    ),
+    ground_(mesh, upward(mesh.time())),
+    overland_(),
+    soil_(),
+    water_(),
+    lduMesh_(),
+    matrix_(),
+    start_(0),
+    unknowns_(),
+    unknownsOld_(),
+    leftOver_(),
+    hasGround_(false),
+    stepStart_(0),
+    stepLength_(0),
+    performance_()
+{
+    linearControls_.merge
+    (
+        mesh.solutionDict().subOrEmptyDict("solvers").subOrEmptyDict("water")
+    );
+
+    if (given(mesh, "overlandProperties"))
+    {
+        overland_.reset(new overlandFlow(mesh, ground_));
+    }
+
+    labelList groundCells;
+
+    if (given(mesh, "soilProperties"))
+    {
+        soil_.reset(new subsurfaceFlow(mesh, ground_.up(), controls_));
+        checkGround();
+        addRainPatches();
+        start_ = soil_->size();
+        groundCells = UIndirectList<label>(mesh.faceOwner(), ground_.faces());
+    }
+    else if (!overland_)
+    {
+        FatalErrorInFunction
+            << "Neither constant/soilProperties nor"
+            << " constant/overlandProperties exists in "
+            << mesh.time().globalPath() << ": there is nothing to solve"
+            << exit(FatalError);
+    }
+
+    hasGround_ = returnReduce(ground_.size(), sumOp<label>()) > 0;
+
+    water_.reset(new pondedWater(ground_, soil_.get()));
+    lduMesh_.reset
+    (
+        new coupledLduMesh
+        (
+            mesh,
+            overland_ ? &overland_->aMesh() : nullptr,
+            start_,
+            ground_.size(),
+            groundCells
+        )
+    );
+    matrix_.reset(new coupledMatrix(*lduMesh_));
+
+    unknowns_.setSize(start_ + ground_.size(), Zero);
+    leftOver_.setSize(unknowns_.size(), Zero);
+
+    SubList<scalar> groundUnknowns(unknowns_, ground_.size(), start_);
+    water_->initialise(initialHeads(), groundUnknowns);
+
+    if (soil_)
+    {
+        soil_->initialise(unknowns_);
+    }
+    if (overland_)
+    {
+        forAll(overland_->depthRate(), i)
+        {
+            water_->depthRate()[i] = overland_->depthRate()[i];
+        }
+    }
+
+    unknownsOld_ = unknowns_;
+    setStates();
+    setFields();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::coupledFlow::subsurfaceStorage() const
+{
+    return soil_ ? soil_->storage() : 0;
+}
+
+
+Foam::scalar Foam::coupledFlow::surfaceStorage() const
+{
+    return water_->storage();
+}
+
+
+Foam::coupledFlow::volumes Foam::coupledFlow::moved() const
+{
+    volumes result;
+
+    result.rain = water_->rain();
+
+    if (overland_)
+    {
+        result.surfaceOutflow = stepLength_*overland_->outflow();
+    }
+
+    if (soil_)
+    {
+        scalar out = 0;
+        for (const label facei : ground_.faces())
+        {
+            out += soil_->faceFlux()[facei];
+        }
+        result.infiltration =
+            -stepLength_*returnReduce(out, sumOp<scalar>());
+
+        soil_->boundaryVolumes
+        (
+            stepLength_,
+            result.subsurfaceInflow,
+            result.subsurfaceOutflow
+        );
+    }
+
+    return result;
+}
+
+
+void Foam::coupledFlow::setFields()
+{
+    if (soil_)
+    {
+        soil_->setFields();
+    }
+
+    if (overland_)
+    {
+        scalarField exchange(ground_.nRouted(), Zero);
+        if (soil_)
+        {
+            forAll(exchange, i)
+            {
+                exchange[i] = -soil_->faceFlux()[ground_.faces()[i]];
+            }
+        }
+
+        forAll(exchange, i)
+        {
+            overland_->depthRate()[i] = water_->depthRate()[i];
+        }
+        overland_->setFields(*water_, exchange);
+    }
+}
+
+// ************************************************************************* //

@@ -1,0 +1,367 @@
+/*---------------------------------------------------------------------------*\
+    slideFoam | from rain to runout
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by the
+    Free Software Foundation, either version 3 of the License, or (at your
+    option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE. See the GNU General Public License for
+    more details.
+
+    You should have received a copy of the GNU General Public License along
+    with slideFoam. If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "coupledFlow.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::coupledFlow::setStates()
+{
+    const SubList<scalar> groundUnknowns(unknowns_, ground_.size(), start_);
+
+    if (soil_)
+    {
+        soil_->setCells(SubList<scalar>(unknowns_, start_));
+    }
+
+    water_->set(groundUnknowns);
+
+    if (overland_)
+    {
+        overland_->setDepth(*water_);
+    }
+}
+
+
+void Foam::coupledFlow::renewLagged()
+{
+    if (soil_)
+    {
+        soil_->renewCorrection();
+    }
+    if (overland_)
+    {
+        overland_->renewGradient();
+    }
+}
+
+
+void Foam::coupledFlow::assemble(const bool fallback)
+{
+    matrix_->reset(leftOver_);
+    water_->assemble(*matrix_, start_);
+
+    if (soil_)
+    {
+        soil_->assemble
+        (
+            *matrix_,
+            ground_,
+            stepStart_,
+            stepLength_,
+            fallback
+        );
+    }
+    if (overland_)
+    {
+        overland_->assemble(*matrix_, *water_, start_, stepLength_);
+    }
+}
+
+
+Foam::scalar Foam::coupledFlow::residualLimit() const
+{
+    // Round-off of the storages, of which the residual is a difference
+    const scalar roundOff = 4*std::numeric_limits<scalar>::epsilon();
+
+    scalar moved = 0;
+    scalar total = 0;
+
+    water_->addMoved(moved, total);
+    if (soil_)
+    {
+        soil_->addMoved(stepLength_, moved, total);
+    }
+
+    reduce(moved, sumOp<scalar>());
+    reduce(total, sumOp<scalar>());
+
+    return tolerance_*moved + roundOff*total;
+}
+
+
+Foam::scalar Foam::coupledFlow::chopped
+(
+    const label i,
+    const scalar from,
+    const scalar step
+) const
+{
+    // Just beyond a bend, where the derivatives are those of the other side
+    const scalar beyond = 1e-12;
+
+    const scalar to = from + step;
+
+    if (!soil_)
+    {
+        return max(to, scalar(0));
+    }
+
+    scalar result = to;
+
+    const auto stopAt = [&](const scalar bend)
+    {
+        if (from < bend && result > bend)
+        {
+            result = min(result, bend + beyond);
+        }
+        else if (from > bend && result < bend)
+        {
+            result = max(result, bend - beyond);
+        }
+    };
+
+    stopAt(0);
+    if (i >= start_)
+    {
+        stopAt(water_->dryUnknown(i - start_));
+    }
+
+    return result;
+}
+
+
+void Foam::coupledFlow::update
+(
+    const scalarField& step,
+    const bool fallback,
+    const bool renew
+)
+{
+    const label maxHalvings = 6;
+
+    const scalarField from(unknowns_);
+    const scalar norm = matrix_->norm();
+    scalar fraction = 1;
+
+    for (label halving = 0; halving <= maxHalvings; ++halving)
+    {
+        forAll(unknowns_, i)
+        {
+            unknowns_[i] = chopped(i, from[i], fraction*step[i]);
+        }
+
+        setStates();
+        if (renew && halving == 0)
+        {
+            renewLagged();
+        }
+        assemble(fallback);
+
+        if (matrix_->norm() < norm)
+        {
+            break;
+        }
+        fraction *= 0.5;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::coupledFlow::solve
+(
+    const scalar t,
+    const scalar dt,
+    const bool fallback
+)
+{
+    stepStart_ = t;
+    stepLength_ = dt;
+    performance_ = performance();
+
+    // Prescribed heads are those at the end of the step
+    Time& runTime = const_cast<Time&>(mesh_.time());
+    const label timeIndex = runTime.timeIndex();
+    runTime.setTime(t + dt, timeIndex + 1);
+
+    water_->beginStep(t, t + dt);
+    if (soil_)
+    {
+        soil_->beginStep();
+    }
+
+    setStates();
+    renewLagged();
+    assemble(fallback);
+
+    runTime.setTime(t, timeIndex);
+
+    scalar norm = matrix_->norm();
+    scalar previousNorm = GREAT;
+    scalarField step(unknowns_.size(), Zero);
+
+    performance_.initialResidual = norm;
+
+    for (;;)
+    {
+        // A residual that has ceased to fall this close to the limit is
+        // round-off of the fluxes
+        const scalar nearLimit = 100;
+        const scalar ceased = 0.5;
+
+        performance_.finalResidual = norm;
+        performance_.limit = residualLimit();
+        performance_.converged =
+            norm <= performance_.limit
+         || (
+                norm <= nearLimit*performance_.limit
+             && norm > ceased*previousNorm
+            );
+
+        if
+        (
+            performance_.converged
+         || performance_.iterations >= maxIterations_
+         || !(norm < GREAT)
+        )
+        {
+            return performance_.converged;
+        }
+
+        performance_.linearIterations +=
+            matrix_->solve(step, linearControls_);
+        ++performance_.iterations;
+
+        update(step, fallback, performance_.iterations < nCorrectors_);
+
+        previousNorm = norm;
+        norm = matrix_->norm();
+    }
+}
+
+
+Foam::scalar Foam::coupledFlow::localError(const scalar dtPrevious) const
+{
+    // Depth below which errors count as absolute [m]
+    const scalar depthScale = 1e-3;
+
+    // Backward Euler's error is half the second derivative times dt^2; the
+    // extrapolation differs from it by dt (dt + dtPrevious)/2 times that
+    const scalar share = stepLength_/(stepLength_ + dtPrevious);
+
+    scalarList misplaced(2, Zero);
+    scalarList total(2, Zero);
+
+    if (soil_)
+    {
+        soil_->localError(stepLength_, misplaced[0], total[0]);
+    }
+    water_->localError(stepLength_, misplaced[1], total[1]);
+    total[1] += depthScale*sum(ground_.planArea());
+
+    Pstream::listCombineGather(misplaced, plusEqOp<scalar>());
+    Pstream::listCombineScatter(misplaced);
+    Pstream::listCombineGather(total, plusEqOp<scalar>());
+    Pstream::listCombineScatter(total);
+
+    return share*max
+    (
+        misplaced[0]/max(total[0], VSMALL),
+        misplaced[1]/max(total[1], VSMALL)
+    );
+}
+
+
+void Foam::coupledFlow::giveUp()
+{
+    unknowns_ = unknownsOld_;
+    setStates();
+}
+
+
+void Foam::coupledFlow::accept()
+{
+    unknownsOld_ = unknowns_;
+    leftOver_ = matrix_->residual();
+
+    water_->endStep(stepLength_);
+    if (soil_)
+    {
+        soil_->endStep(stepLength_);
+    }
+    setFields();
+}
+
+
+void Foam::coupledFlow::stop(const label nCuts) const
+{
+    const scalarField& residual = matrix_->residual();
+
+    label worst = -1;
+    scalar largest = -1;
+    forAll(residual, i)
+    {
+        if (!(mag(residual[i]) <= largest))
+        {
+            largest = mag(residual[i]);
+            worst = i;
+        }
+    }
+
+    // The processor that has it says so
+    const scalar overall = returnReduce(largest, maxOp<scalar>());
+    const label speaker = returnReduce
+    (
+        largest >= overall ? Pstream::myProcNo() : labelMax,
+        minOp<label>()
+    );
+
+    OStringStream place;
+    if (Pstream::myProcNo() == speaker && worst >= start_)
+    {
+        const label facei = ground_.faces()[worst - start_];
+        place
+            << "ground face " << worst - start_ << " at "
+            << mesh_.faceCentres()[facei] << ", surface head "
+            << water_->head()[worst - start_] << " m";
+        if (soil_)
+        {
+            place<< ", soil " << soil_->soilName(mesh_.faceOwner()[facei]);
+        }
+    }
+    else if (Pstream::myProcNo() == speaker && worst >= 0)
+    {
+        place
+            << "cell " << worst << " at " << mesh_.cellCentres()[worst]
+            << ", soil " << soil_->soilName(worst) << ", pressure head "
+            << soil_->cellState(worst).head << " m";
+    }
+
+    List<string> places(Pstream::nProcs());
+    places[Pstream::myProcNo()] = place.str();
+    Pstream::gatherList(places);
+    Pstream::scatterList(places);
+
+    FatalErrorInFunction
+        << "No solution of the step from t = " << stepStart_ << " s: after "
+        << nCuts << " cuts to " << stepLength_ << " s the residual is still "
+        << performance_.finalResidual << " m3, the limit "
+        << performance_.limit << " m3. The largest part, " << overall
+        << " m3, is in " << places[speaker]
+        << (Pstream::parRun() ? " on processor " : "")
+        << (Pstream::parRun() ? Foam::name(speaker) : word::null)
+        << ". What was written before is complete."
+        << exit(FatalError);
+}
+
+// ************************************************************************* //

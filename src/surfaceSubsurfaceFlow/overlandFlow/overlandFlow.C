@@ -1,0 +1,355 @@
+/*---------------------------------------------------------------------------*\
+    slideFoam | from rain to runout
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by the
+    Free Software Foundation, either version 3 of the License, or (at your
+    option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE. See the GNU General Public License for
+    more details.
+
+    You should have received a copy of the GNU General Public License along
+    with slideFoam. If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "overlandFlow.H"
+#include "pondedWater.H"
+#include "readChecked.H"
+#include "calculatedFaPatchFields.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::tmp<Foam::areaScalarField> Foam::overlandFlow::areaField
+(
+    const word& name,
+    const dimensionSet& dimensions,
+    const IOobject::readOption readOption,
+    const IOobject::writeOption writeOption
+) const
+{
+    const IOobject io
+    (
+        name,
+        aMesh_.time().timeName(),
+        aMesh_.thisDb(),
+        readOption,
+        writeOption
+    );
+
+    if
+    (
+        readOption == IOobject::READ_IF_PRESENT
+     && IOobject(io).typeHeaderOk<areaScalarField>(true)
+    )
+    {
+        Info<< "Reading field " << name << endl;
+        return tmp<areaScalarField>::New(io, aMesh_);
+    }
+
+    return tmp<areaScalarField>::New
+    (
+        IOobject
+        (
+            name,
+            aMesh_.time().timeName(),
+            aMesh_.thisDb(),
+            IOobject::NO_READ,
+            writeOption
+        ),
+        aMesh_,
+        dimensionedScalar(dimensions, Zero),
+        calculatedFaPatchScalarField::typeName
+    );
+}
+
+
+Foam::groundSurface& Foam::overlandFlow::addTo(groundSurface& ground) const
+{
+    const polyBoundaryMesh& patches = aMesh_.mesh().boundaryMesh();
+    const label patchi = patches.findPatchID(groundPatch());
+
+    if (patchi < 0)
+    {
+        FatalIOErrorInFunction(properties_)
+            << "groundPatch " << groundPatch() << " is no patch of the mesh;"
+            << " it has " << patches.names() << exit(FatalIOError);
+    }
+
+    label nOutside = 0;
+    for (const label facei : aMesh_.faceLabels())
+    {
+        if (patches.whichPatch(facei) != patchi)
+        {
+            ++nOutside;
+        }
+    }
+
+    if
+    (
+        returnReduce(nOutside, sumOp<label>())
+     || returnReduce(aMesh_.nFaces(), sumOp<label>())
+     != returnReduce(patches[patchi].size(), sumOp<label>())
+    )
+    {
+        FatalIOErrorInFunction(properties_)
+            << "groundPatch " << groundPatch() << " is not the patch of the"
+            << " finite-area mesh: polyMeshPatches in faMeshDefinition must"
+            << " name it and no other; then run makeFaMesh again"
+            << exit(FatalIOError);
+    }
+
+    ground.addRouted(aMesh_, rain_);
+
+    return ground;
+}
+
+
+void Foam::overlandFlow::setManning()
+{
+    const auto readManning = []
+    (
+        const dictionary& dict,
+        const word& key
+    )
+    {
+        return readChecked
+        (
+            dict,
+            key,
+            [](const scalar n) { return n > 0; },
+            "> 0 s/m^(1/3)"
+        );
+    };
+
+    manning_.primitiveFieldRef() = readManning(properties_, "manning");
+
+    if (properties_.found("manningZones"))
+    {
+        const fvMesh& mesh = refCast<const fvMesh>(aMesh_.mesh());
+        const dictionary& values = properties_.subDict("manningZones");
+
+        labelList faceOfCell(mesh.nCells(), -1);
+        forAll(aMesh_.faceLabels(), i)
+        {
+            faceOfCell[mesh.faceOwner()[aMesh_.faceLabels()[i]]] = i;
+        }
+
+        for (const word& zoneName : values.toc())
+        {
+            const label zonei = mesh.cellZones().findZoneID(zoneName);
+            if (zonei < 0)
+            {
+                FatalIOErrorInFunction(values)
+                    << "No cellZone " << zoneName << "; the mesh has "
+                    << mesh.cellZones().names() << exit(FatalIOError);
+            }
+
+            const scalar value = readManning(values, zoneName);
+            for (const label celli : mesh.cellZones()[zonei])
+            {
+                if (faceOfCell[celli] >= 0)
+                {
+                    manning_[faceOfCell[celli]] = value;
+                }
+            }
+        }
+    }
+
+    manning_.correctBoundaryConditions();
+}
+
+
+void Foam::overlandFlow::setOutlets()
+{
+    if (!properties_.found("outlets"))
+    {
+        return;
+    }
+
+    const dictionary& dict = properties_.subDict("outlets");
+    const faBoundaryMesh& patches = aMesh_.boundary();
+
+    for (const word& patchName : dict.toc())
+    {
+        const label patchi = patches.findPatchID(patchName);
+        if (patchi < 0)
+        {
+            FatalIOErrorInFunction(dict)
+                << "No patch " << patchName
+                << " in the finite-area mesh; it has " << patches.names()
+                << exit(FatalIOError);
+        }
+
+        outlets_.set
+        (
+            patchi,
+            surfaceOutlet::New(patchName, dict.subDict(patchName))
+        );
+
+        const labelUList& faces = patches[patchi].edgeFaces();
+        forAll(faces, i)
+        {
+            const planGeometry::edgePlan& edge =
+                geometry_.patchEdges()[patchi][i];
+
+            outlets_[patchi].checkEdge
+            (
+                (elevation_[faces[i]] - edge.elevation)*edge.inverseDistance,
+                aMesh_.areaCentres()[faces[i]]
+            );
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::overlandFlow::overlandFlow(const fvMesh& mesh, groundSurface& ground)
+:
+    properties_
+    (
+        IOobject
+        (
+            "overlandProperties",
+            mesh.time().constant(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE
+        )
+    ),
+    aMesh_(mesh),
+    model_(overlandFlowModel::New(properties_)),
+    rain_(properties_),
+    ground_(addTo(ground)),
+    geometry_(aMesh_, ground_),
+    outlets_(aMesh_.boundary().size()),
+    manning_
+    (
+        areaField
+        (
+            "manning",
+            dimless,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE
+        )
+    ),
+    elevation_
+    (
+        areaField
+        (
+            "elevation",
+            dimLength,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE
+        )
+    ),
+    h_
+    (
+        areaField
+        (
+            "h",
+            dimLength,
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        )
+    ),
+    hs_
+    (
+        areaField
+        (
+            "hs",
+            dimLength,
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        )
+    ),
+    qExchange_
+    (
+        areaField
+        (
+            "qExchange",
+            dimVelocity,
+            IOobject::NO_READ,
+            IOobject::AUTO_WRITE
+        )
+    ),
+    depthRate_
+    (
+        areaField
+        (
+            "depthRate",
+            dimVelocity,
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        )
+    ),
+    gradient1_
+    (
+        areaField
+        (
+            "surfaceGradient1",
+            dimless,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE
+        )
+    ),
+    gradient2_
+    (
+        areaField
+        (
+            "surfaceGradient2",
+            dimless,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE
+        )
+    ),
+    outflow_(0)
+{
+    elevation_.primitiveFieldRef() =
+        SubField<scalar>(ground_.elevation(), aMesh_.nFaces());
+    elevation_.correctBoundaryConditions();
+
+    setManning();
+    setOutlets();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::overlandFlow::headGiven() const
+{
+    return hs_.readOpt() == IOobject::READ_IF_PRESENT;
+}
+
+
+bool Foam::overlandFlow::depthGiven() const
+{
+    return h_.readOpt() == IOobject::READ_IF_PRESENT;
+}
+
+
+void Foam::overlandFlow::setFields
+(
+    const pondedWater& water,
+    const UList<scalar>& exchange
+)
+{
+    forAll(hs_, i)
+    {
+        hs_[i] = water.head()[i];
+        qExchange_[i] = exchange[i]/ground_.planArea()[i];
+    }
+    setDepth(water);
+    hs_.correctBoundaryConditions();
+    qExchange_.correctBoundaryConditions();
+}
+
+// ************************************************************************* //

@@ -1,0 +1,84 @@
+/*---------------------------------------------------------------------------*\
+    slideFoam | from rain to runout
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by the
+    Free Software Foundation, either version 3 of the License, or (at your
+    option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE. See the GNU General Public License for
+    more details.
+
+    You should have received a copy of the GNU General Public License along
+    with slideFoam. If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "kinematicWave.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace overlandFlowModels
+{
+    defineTypeNameAndDebug(kinematicWave, 0);
+    addToRunTimeSelectionTable(overlandFlowModel, kinematicWave, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::overlandFlowModels::kinematicWave::kinematicWave(const dictionary& dict)
+:
+    overlandFlowModel(dict)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::overlandFlowModel::flux
+Foam::overlandFlowModels::kinematicWave::edgeFlux
+(
+    const planGeometry::edgePlan& edge,
+    const side& first,
+    const side& second,
+    const vector2D& gradient
+) const
+{
+    const scalar normal =
+        (second.elevation - first.elevation)*edge.inverseDistance
+      + (edge.rest & gradient);
+    const scalar tangential =
+        edge.normal.x()*gradient.y() - edge.normal.y()*gradient.x();
+
+    const bool forward = (normal <= 0);
+    const side& upwind = forward ? first : second;
+
+    scalar dNormal, dDepth;
+    flux result;
+
+    result.value = manningFlux
+    (
+        edge.length,
+        upwind.manning,
+        upwind.depth,
+        normal,
+        tangential,
+        dNormal,
+        dDepth
+    );
+    (forward ? result.dFirst : result.dSecond) = dDepth;
+
+    return result;
+}
+
+// ************************************************************************* //

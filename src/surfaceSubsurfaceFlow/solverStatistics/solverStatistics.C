@@ -1,0 +1,70 @@
+/*---------------------------------------------------------------------------*\
+    slideFoam | from rain to runout
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by the
+    Free Software Foundation, either version 3 of the License, or (at your
+    option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE. See the GNU General Public License for
+    more details.
+
+    You should have received a copy of the GNU General Public License along
+    with slideFoam. If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "solverStatistics.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::solverStatistics::solverStatistics(const coupledFlow& water)
+:
+    water_(water),
+    table_
+    (
+        water.mesh().time(),
+        "solverStatistics",
+        {
+            "time",
+            "dt",
+            "nonlinearIterations",
+            "linearIterations",
+            "rejectedSteps",
+            "cpuTime"
+        }
+    )
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::solverStatistics::update(const label nRejected)
+{
+    const Time& runTime = water_.mesh().time();
+    const coupledFlow::performance& p = water_.latest();
+
+    Info<< "Newton: Solving for water, Initial residual = "
+        << p.initialResidual << ", Final residual = " << p.finalResidual
+        << ", No Iterations " << p.iterations
+        << ", linear iterations " << p.linearIterations
+        << ", rejected steps " << nRejected << endl;
+
+    table_.write
+    ({
+        runTime.value(),
+        runTime.deltaTValue(),
+        scalar(p.iterations),
+        scalar(p.linearIterations),
+        scalar(nRejected),
+        runTime.elapsedCpuTime()
+    });
+}
+
+// ************************************************************************* //

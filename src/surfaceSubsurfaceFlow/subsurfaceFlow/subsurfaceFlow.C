@@ -1,0 +1,242 @@
+/*---------------------------------------------------------------------------*\
+    slideFoam | from rain to runout
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by the
+    Free Software Foundation, either version 3 of the License, or (at your
+    option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE. See the GNU General Public License for
+    more details.
+
+    You should have received a copy of the GNU General Public License along
+    with slideFoam. If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "subsurfaceFlow.H"
+#include "calculatedFvPatchFields.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- A field that follows from psi, written but not read
+static volScalarField derivedField
+(
+    const word& name,
+    const fvMesh& mesh,
+    const dimensionSet& dimensions,
+    const IOobject::readOption readOption = IOobject::NO_READ
+)
+{
+    return volScalarField
+    (
+        IOobject
+        (
+            name,
+            mesh.time().timeName(),
+            mesh,
+            readOption,
+            IOobject::AUTO_WRITE
+        ),
+        mesh,
+        dimensionedScalar(dimensions, Zero),
+        calculatedFvPatchScalarField::typeName
+    );
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::subsurfaceFlow::subsurfaceFlow
+(
+    const fvMesh& mesh,
+    const vector& up,
+    const dictionary& controls
+)
+:
+    mesh_(mesh),
+    up_(up),
+    soils_(mesh),
+    tables_(soils_.size()),
+    psi_
+    (
+        IOobject
+        (
+            "psi",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::AUTO_WRITE
+        ),
+        mesh
+    ),
+    theta_(derivedField("theta", mesh, dimless)),
+    Se_(derivedField("Se", mesh, dimless)),
+    kr_(derivedField("kr", mesh, dimless)),
+    storageRate_
+    (
+        derivedField
+        (
+            "storageRate",
+            mesh,
+            dimless/dimTime,
+            IOobject::READ_IF_PRESENT
+        )
+    ),
+    conditions_(mesh.boundary().size(), condition::noFlow),
+    flux_(richardsFlux::New(controls, tables_)),
+    fallbackFlux_
+    (
+        richardsFlux::New
+        (
+            dictionary(IStringStream("faceFlux integralUpwind;")()),
+            tables_
+        )
+    ),
+    connections_(mesh.nFaces()),
+    correction_(mesh),
+    otherSoil_(),
+    cellStates_(mesh.nCells()),
+    boundaryStates_(mesh.nFaces() - mesh.nInternalFaces()),
+    storageOld_(mesh.nCells(), Zero),
+    faceFlux_(mesh.nFaces(), Zero)
+{
+    forAll(tables_, soili)
+    {
+        tables_.set(soili, new soilTable(soils_[soili]));
+        soils_[soili].writeInfo(Info);
+    }
+
+    readConditions();
+    makeConnections();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::subsurfaceFlow::initialise(scalarField& unknowns) const
+{
+    forAll(cellStates_, celli)
+    {
+        unknowns[celli] = table(celli).tauOfHead(psi_[celli]);
+    }
+}
+
+
+Foam::scalar Foam::subsurfaceFlow::hydrostaticHead(const label facei) const
+{
+    const label celli = mesh_.faceOwner()[facei];
+
+    return
+        psi_[celli]
+      + ((mesh_.cellCentres()[celli] - mesh_.faceCentres()[facei]) & up_);
+}
+
+
+void Foam::subsurfaceFlow::localError
+(
+    const scalar dt,
+    scalar& misplaced,
+    scalar& total
+) const
+{
+    const scalarField& V = mesh_.V();
+
+    forAll(cellStates_, celli)
+    {
+        const scalar storage = cellStates_[celli].storage;
+
+        misplaced += V[celli]*mag
+        (
+            storage - storageOld_[celli] - dt*storageRate_[celli]
+        );
+        total += V[celli]*storage;
+    }
+}
+
+
+void Foam::subsurfaceFlow::addMoved
+(
+    const scalar dt,
+    scalar& moved,
+    scalar& total
+) const
+{
+    const scalarField& V = mesh_.V();
+
+    forAll(cellStates_, celli)
+    {
+        const scalar storage = cellStates_[celli].storage;
+        moved += V[celli]*mag(storage - storageOld_[celli]);
+        total += V[celli]*storage;
+    }
+
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (!patch.coupled())
+        {
+            moved += dt*sumMag(patch.patchSlice(faceFlux_));
+        }
+    }
+}
+
+
+Foam::scalar Foam::subsurfaceFlow::storage() const
+{
+    const scalarField& V = mesh_.V();
+
+    scalar sum = 0;
+    scalar lost = 0;
+    forAll(cellStates_, celli)
+    {
+        // Summed with compensation: the balance wants all digits
+        const scalar part = V[celli]*cellStates_[celli].storage - lost;
+        const scalar next = sum + part;
+        lost = (next - sum) - part;
+        sum = next;
+    }
+
+    return returnReduce(sum, sumOp<scalar>());
+}
+
+
+void Foam::subsurfaceFlow::boundaryVolumes
+(
+    const scalar dt,
+    scalar& inflow,
+    scalar& outflow
+) const
+{
+    inflow = 0;
+    outflow = 0;
+
+    forAll(conditions_, patchi)
+    {
+        const polyPatch& patch = mesh_.boundaryMesh()[patchi];
+
+        if (!patch.coupled() && conditions_[patchi] != condition::surface)
+        {
+            forAll(patch, i)
+            {
+                const scalar volume = dt*faceFlux_[patch.start() + i];
+                (volume < 0 ? inflow : outflow) += mag(volume);
+            }
+        }
+    }
+
+    reduce(inflow, sumOp<scalar>());
+    reduce(outflow, sumOp<scalar>());
+}
+
+// ************************************************************************* //

@@ -1,0 +1,350 @@
+/*---------------------------------------------------------------------------*\
+    slideFoam | from rain to runout
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by the
+    Free Software Foundation, either version 3 of the License, or (at your
+    option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE. See the GNU General Public License for
+    more details.
+
+    You should have received a copy of the GNU General Public License along
+    with slideFoam. If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "subsurfaceFlow.H"
+#include "coupledMatrix.H"
+#include "groundSurface.H"
+#include "syncTools.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::subsurfaceFlow::assembleStorage(coupledMatrix& matrix) const
+{
+    const scalarField& V = mesh_.V();
+
+    forAll(cellStates_, celli)
+    {
+        const soilTable::state& s = cellStates_[celli];
+
+        matrix.add
+        (
+            celli,
+            V[celli]*(s.storage - storageOld_[celli]),
+            V[celli]*s.dStorage
+        );
+    }
+}
+
+
+void Foam::subsurfaceFlow::assembleInternal
+(
+    coupledMatrix& matrix,
+    const scalar dt,
+    const richardsFlux& flux
+)
+{
+    const labelList& owner = mesh_.faceOwner();
+    const labelList& neighbour = mesh_.faceNeighbour();
+    const scalarField& correction = correction_.correction();
+
+    forAll(neighbour, facei)
+    {
+        const richardsFlux::flux f
+        (
+            flux
+            (
+                connections_[facei],
+                cellStates_[owner[facei]],
+                cellStates_[neighbour[facei]]
+            )
+        );
+
+        faceFlux_[facei] = f.value + correction[facei];
+
+        matrix.addFlux
+        (
+            matrix.addressing().faceCoupling(facei),
+            dt*faceFlux_[facei],
+            dt*f.dFirst,
+            dt*f.dSecond
+        );
+    }
+}
+
+
+void Foam::subsurfaceFlow::assembleProcessor
+(
+    coupledMatrix& matrix,
+    const scalar dt,
+    const richardsFlux& flux,
+    const label patchi
+)
+{
+    const polyPatch& patch = mesh_.boundaryMesh()[patchi];
+    const coupledLduMesh::interfaceSlot& slot =
+        matrix.addressing().meshSlot(patchi);
+
+    forAll(patch, i)
+    {
+        const label facei = patch.start() + i;
+        const richardsFlux::flux f
+        (
+            flux
+            (
+                connections_[facei],
+                cellStates_[mesh_.faceOwner()[facei]],
+                boundaryStates_[facei - mesh_.nInternalFaces()]
+            )
+        );
+
+        faceFlux_[facei] = f.value + correction_.correction()[facei];
+
+        matrix.addInterfaceFlux
+        (
+            slot,
+            i,
+            dt*faceFlux_[facei],
+            dt*f.dFirst,
+            dt*f.dSecond
+        );
+    }
+}
+
+
+Foam::richardsFlux::flux Foam::subsurfaceFlow::boundaryFlux
+(
+    const richardsFlux& flux,
+    const condition type,
+    const label facei,
+    const scalar inflow
+) const
+{
+    const soilTable::state& cell = cellStates_[mesh_.faceOwner()[facei]];
+    const vector& area = mesh_.faceAreas()[facei];
+
+    richardsFlux::flux result;
+
+    switch (type)
+    {
+        case condition::flux:
+        {
+            result.value = -inflow*mag(area);
+            break;
+        }
+        case condition::freeDrainage:
+        {
+            const scalar downArea = max(-(area & up_), scalar(0));
+            result.value = downArea*cell.K;
+            result.dFirst = downArea*cell.dK;
+            break;
+        }
+        case condition::head:
+        case condition::seepage:
+        {
+            result = flux(connections_[facei], cell, boundaryState(facei));
+            result.value += correction_.correction()[facei];
+
+            if (type == condition::seepage && result.value <= 0)
+            {
+                result = richardsFlux::flux();
+            }
+            break;
+        }
+        case condition::noFlow:
+        case condition::surface:
+        {
+            break;
+        }
+    }
+
+    return result;
+}
+
+
+void Foam::subsurfaceFlow::assemblePatch
+(
+    coupledMatrix& matrix,
+    const scalar t,
+    const scalar dt,
+    const richardsFlux& flux,
+    const label patchi
+)
+{
+    const polyPatch& patch = mesh_.boundaryMesh()[patchi];
+    const fvPatchScalarField& field = psi_.boundaryField()[patchi];
+
+    const scalar inflow =
+        conditions_[patchi] == condition::flux
+      ? refCast<const soilBoundaryFvPatchScalarField>(field)
+       .inflow(t, t + dt)
+      : 0;
+
+    forAll(patch, i)
+    {
+        const label facei = patch.start() + i;
+        const richardsFlux::flux f
+        (
+            boundaryFlux(flux, conditions_[patchi], facei, inflow)
+        );
+
+        faceFlux_[facei] = f.value;
+        matrix.add(mesh_.faceOwner()[facei], dt*f.value, dt*f.dFirst);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::subsurfaceFlow::beginStep()
+{
+    forAll(cellStates_, celli)
+    {
+        storageOld_[celli] = cellStates_[celli].storage;
+    }
+
+    volScalarField::Boundary& psiBf = psi_.boundaryFieldRef();
+
+    forAll(conditions_, patchi)
+    {
+        const condition type = conditions_[patchi];
+
+        if (type != condition::head && type != condition::seepage)
+        {
+            continue;
+        }
+
+        if (type == condition::head)
+        {
+            psiBf[patchi].updateCoeffs();
+            psiBf[patchi].evaluate();
+        }
+
+        const polyPatch& patch = mesh_.boundaryMesh()[patchi];
+        forAll(patch, i)
+        {
+            const label facei = patch.start() + i;
+            const soilTable& soil = table(mesh_.faceOwner()[facei]);
+
+            soil.evaluate
+            (
+                soil.tauOfHead
+                (
+                    type == condition::head ? psiBf[patchi][i] : 0
+                ),
+                boundaryStates_[facei - mesh_.nInternalFaces()]
+            );
+        }
+    }
+}
+
+
+void Foam::subsurfaceFlow::setCells(const UList<scalar>& unknowns)
+{
+    forAll(cellStates_, celli)
+    {
+        table(celli).evaluate(unknowns[celli], cellStates_[celli]);
+    }
+
+    if (!Pstream::parRun())
+    {
+        return;
+    }
+
+    scalarList otherUnknowns;
+    syncTools::swapBoundaryCellList(mesh_, unknowns, otherUnknowns);
+
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (patch.coupled())
+        {
+            forAll(patch, i)
+            {
+                const label b = patch.start() + i - mesh_.nInternalFaces();
+                tables_[otherSoil_[b]].evaluate
+                (
+                    otherUnknowns[b],
+                    boundaryStates_[b]
+                );
+            }
+        }
+    }
+}
+
+
+void Foam::subsurfaceFlow::setGround(const label facei, const scalar unknown)
+{
+    table(mesh_.faceOwner()[facei]).evaluate
+    (
+        unknown,
+        boundaryStates_[facei - mesh_.nInternalFaces()]
+    );
+}
+
+
+void Foam::subsurfaceFlow::renewCorrection()
+{
+    correction_.update(faceFlux_);
+}
+
+
+void Foam::subsurfaceFlow::assemble
+(
+    coupledMatrix& matrix,
+    const groundSurface& ground,
+    const scalar t,
+    const scalar dt,
+    const bool fallback
+)
+{
+    const richardsFlux& flux = fallback ? *fallbackFlux_ : *flux_;
+
+    assembleStorage(matrix);
+    assembleInternal(matrix, dt, flux);
+
+    forAll(conditions_, patchi)
+    {
+        if (isA<processorPolyPatch>(mesh_.boundaryMesh()[patchi]))
+        {
+            assembleProcessor(matrix, dt, flux, patchi);
+        }
+        else if (conditions_[patchi] != condition::surface)
+        {
+            assemblePatch(matrix, t, dt, flux, patchi);
+        }
+    }
+
+    forAll(ground.faces(), i)
+    {
+        const label facei = ground.faces()[i];
+        const richardsFlux::flux f
+        (
+            flux
+            (
+                connections_[facei],
+                cellStates_[mesh_.faceOwner()[facei]],
+                boundaryState(facei)
+            )
+        );
+
+        faceFlux_[facei] = f.value + correction_.correction()[facei];
+
+        matrix.addFlux
+        (
+            matrix.addressing().groundCoupling(i),
+            dt*faceFlux_[facei],
+            dt*f.dFirst,
+            dt*f.dSecond
+        );
+    }
+}
+
+// ************************************************************************* //

@@ -1,0 +1,145 @@
+/*---------------------------------------------------------------------------*\
+    slideFoam | from rain to runout
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by the
+    Free Software Foundation, either version 3 of the License, or (at your
+    option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE. See the GNU General Public License for
+    more details.
+
+    You should have received a copy of the GNU General Public License along
+    with slideFoam. If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "waterBalance.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::waterBalance::keep()
+{
+    dictionary balance;
+    balance.set("initialStorage", initialStorage_);
+    balance.set("rain", sum_.rain);
+    balance.set("infiltration", sum_.infiltration);
+    balance.set("surfaceOutflow", sum_.surfaceOutflow);
+    balance.set("subsurfaceInflow", sum_.subsurfaceInflow);
+    balance.set("subsurfaceOutflow", sum_.subsurfaceOutflow);
+
+    state_.set("waterBalance", balance);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::waterBalance::waterBalance
+(
+    const coupledFlow& water,
+    dictionary& state
+)
+:
+    water_(water),
+    state_(state),
+    table_
+    (
+        water.mesh().time(),
+        "waterBalance",
+        {
+            "time",
+            "dt",
+            "rain",
+            "infiltration",
+            "surfaceOutflow",
+            "subsurfaceOutflow",
+            "surfaceStorage",
+            "subsurfaceStorage",
+            "sourceSink",
+            "error",
+            "relativeError"
+        }
+    ),
+    sum_(),
+    initialStorage_(water.subsurfaceStorage() + water.surfaceStorage())
+{
+    const dictionary kept(state.subOrEmptyDict("waterBalance"));
+
+    kept.readIfPresent("initialStorage", initialStorage_);
+    kept.readIfPresent("rain", sum_.rain);
+    kept.readIfPresent("infiltration", sum_.infiltration);
+    kept.readIfPresent("surfaceOutflow", sum_.surfaceOutflow);
+    kept.readIfPresent("subsurfaceInflow", sum_.subsurfaceInflow);
+    kept.readIfPresent("subsurfaceOutflow", sum_.subsurfaceOutflow);
+
+    keep();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::waterBalance::update()
+{
+    // A change of storage below this share of the storage is no measure
+    const scalar storageShare = 1e-6;
+
+    const coupledFlow::volumes step(water_.moved());
+
+    sum_.rain += step.rain;
+    sum_.infiltration += step.infiltration;
+    sum_.surfaceOutflow += step.surfaceOutflow;
+    sum_.subsurfaceInflow += step.subsurfaceInflow;
+    sum_.subsurfaceOutflow += step.subsurfaceOutflow;
+
+    const scalar surface = water_.surfaceStorage();
+    const scalar subsurface = water_.subsurfaceStorage();
+
+    const scalar inflow = sum_.rain + sum_.subsurfaceInflow;
+    const scalar outflow = sum_.surfaceOutflow + sum_.subsurfaceOutflow;
+    const scalar change = surface + subsurface - initialStorage_;
+    const scalar error = change - (inflow - outflow);
+    const scalar scale = max
+    (
+        max(inflow, outflow),
+        max(mag(change), storageShare*initialStorage_)
+    );
+    const scalar relativeError = mag(error)/max(scale, VSMALL);
+
+    const Time& runTime = water_.mesh().time();
+    const bool ground = water_.hasGround();
+    const bool soil = water_.hasSoil();
+
+    table_.write
+    ({
+        runTime.value(),
+        runTime.deltaTValue(),
+        {ground, sum_.rain},
+        {ground && soil, sum_.infiltration},
+        {water_.hasOverland(), sum_.surfaceOutflow},
+        {soil, sum_.subsurfaceOutflow - sum_.subsurfaceInflow},
+        {ground, surface},
+        {soil, subsurface},
+        {false, 0},
+        error,
+        relativeError
+    });
+
+    Info<< "Water [m3]: rain " << sum_.rain
+        << ", infiltration " << sum_.infiltration
+        << ", surfaceOutflow " << sum_.surfaceOutflow
+        << ", subsurfaceOutflow "
+        << sum_.subsurfaceOutflow - sum_.subsurfaceInflow
+        << ", surfaceStorage " << surface
+        << ", subsurfaceStorage " << subsurface
+        << ", error " << error << ", relativeError " << relativeError << endl;
+
+    keep();
+}
+
+// ************************************************************************* //
