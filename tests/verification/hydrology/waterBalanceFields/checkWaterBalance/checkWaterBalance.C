@@ -38,6 +38,7 @@ Description
 #include "fvCFD.H"
 #include "areaFields.H"
 #include "faMesh.H"
+#include "IOmanip.H"
 #include "unsaturatedSoils.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -186,7 +187,8 @@ int main(int argc, char *argv[])
             surface += h[facei]*planArea[facei];
             infiltration += dt*qExchange[facei]*planArea[facei];
             outflow +=
-                dt*length[facei]*sqrt(slope)/manning*pow(h[facei], 5.0/3.0);
+                dt*length[facei]*std::sqrt(slope)/manning
+               *std::pow(h[facei], 5.0/3.0);
         }
 
         Info<< now.value() << token::TAB
