@@ -54,7 +54,11 @@ Foam::soilBoundaryFvPatchScalarField::soilBoundaryFvPatchScalarField
     fixedValueFvPatchScalarField(p, iF, dict, false),
     valueGiven_(dict.found("value"))
 {
-    if (!valueGiven_)
+    if (valueGiven_)
+    {
+        fvPatchScalarField::operator=(scalarField("value", dict, p.size()));
+    }
+    else
     {
         fvPatchScalarField::operator=(patchInternalField());
     }
