@@ -202,7 +202,10 @@ mpm::Settings Foam::landslideRunout::settings(const slidePoints& points) const
 }
 
 
-mpm::StartSettings Foam::landslideRunout::startSettings() const
+mpm::StartSettings Foam::landslideRunout::startSettings
+(
+    const slidePoints& points
+) const
 {
     const dictionary& dict = properties_.subOrEmptyDict("initialState");
 
@@ -211,7 +214,7 @@ mpm::StartSettings Foam::landslideRunout::startSettings() const
         dict,
         {
             "type", "K0", "elasticTime", "relaxationTime", "restVelocity",
-            "addedCohesion"
+            "addedCohesion", "stableStrength"
         }
     );
 
@@ -223,6 +226,16 @@ mpm::StartSettings Foam::landslideRunout::startSettings() const
     dict.readIfPresent("relaxationTime", s.relaxationTime);
     dict.readIfPresent("restVelocity", s.restVelocity);
     dict.readIfPresent("addedCohesion", s.addedCohesion);
+
+    if (const dictionary* stablePtr = dict.findDict("stableStrength"))
+    {
+        points.strengthOf
+        (
+            *stablePtr,
+            s.stableCohesionIntercept,
+            s.stableFrictionAngle
+        );
+    }
 
     return s;
 }

@@ -45,7 +45,12 @@ void Foam::landslideRunout::report(const mpm::StartReport& start)
 }
 
 
-void Foam::landslideRunout::start(mpm::Run& run, slideState& state) const
+void Foam::landslideRunout::start
+(
+    mpm::Run& run,
+    slideState& state,
+    const slidePoints& points
+) const
 {
     bool restored = false;
 
@@ -72,7 +77,7 @@ void Foam::landslideRunout::start(mpm::Run& run, slideState& state) const
         "bringing the soil to rest",
         [&]()
         {
-            report(run.establishStart(startSettings()));
+            report(run.establishStart(startSettings(points)));
         }
     );
 }
@@ -124,7 +129,7 @@ Foam::landslideRunout::outcome Foam::landslideRunout::slide
             << time_.timePath() << endl;
     }
 
-    start(*run, state);
+    start(*run, state, points);
 
     const bool fresh = (run->stepNumber() == 0);
 

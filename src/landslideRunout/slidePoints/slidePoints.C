@@ -410,6 +410,45 @@ std::vector<mpm::Material> Foam::slidePoints::materials() const
 }
 
 
+void Foam::slidePoints::strengthOf
+(
+    const dictionary& soilsDict,
+    std::vector<double>& cohesionIntercept,
+    std::vector<double>& frictionAngle
+) const
+{
+    wordList names;
+    forAll(soils_, soili)
+    {
+        if (soils_.set(soili))
+        {
+            names.append(soils_[soili].name());
+        }
+    }
+    checkKeys(soilsDict, names);
+
+    cohesionIntercept.assign
+    (
+        cohesionIntercept_.begin(),
+        cohesionIntercept_.end()
+    );
+    frictionAngle.assign(frictionAngle_.begin(), frictionAngle_.end());
+
+    forAll(position_, i)
+    {
+        const soilMechanics& soil = soils_[soil_[i]];
+
+        if (const dictionary* dictPtr = soilsDict.findDict(soil.name()))
+        {
+            const soilMechanics other(soil, *dictPtr);
+
+            cohesionIntercept[i] = other.cohesionIntercept(porePressure_[i]);
+            frictionAngle[i] = other.frictionAngle();
+        }
+    }
+}
+
+
 Foam::pointTable Foam::slidePoints::table() const
 {
     pointTable table(frame_.toSpace(position_)());

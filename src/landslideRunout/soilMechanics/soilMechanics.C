@@ -27,6 +27,39 @@ License
 #include "unitConversion.H"
 #include "waterRetentionModel.H"
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::string Foam::soilMechanics::frictionAngleRange
+(
+    "0 < frictionAngle < 90 deg"
+);
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static bool positive(const scalar x)
+{
+    return x > 0;
+}
+
+
+static bool notNegative(const scalar x)
+{
+    return x >= 0;
+}
+
+
+static bool acute(const scalar degrees)
+{
+    return degrees > 0 && degrees < 90;
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::soilMechanics::soilMechanics
@@ -54,18 +87,10 @@ Foam::soilMechanics::soilMechanics
         }
     );
 
-    const auto positive = [](const scalar x){ return x > 0; };
-    const auto notNegative = [](const scalar x){ return x >= 0; };
-
     rhoDry_ = readChecked(dict, "rhoDry", positive, "> 0 kg/m3");
     cohesion_ = readChecked(dict, "cohesion", notNegative, ">= 0 Pa");
-    frictionAngle_ = readChecked
-    (
-        dict,
-        "frictionAngle",
-        [](const scalar x){ return x > 0 && x < 90; },
-        "0 < frictionAngle < 90 deg"
-    );
+    frictionAngle_ =
+        readChecked(dict, "frictionAngle", acute, frictionAngleRange);
 
     material_.name = name;
     material_.E = readChecked(dict, "E", positive, "> 0 Pa");
@@ -115,6 +140,35 @@ Foam::soilMechanics::soilMechanics
         thetaS_ = retention->thetaS();
         thetaR_ = retention->thetaR();
     }
+}
+
+
+Foam::soilMechanics::soilMechanics
+(
+    const soilMechanics& soil,
+    const dictionary& dict
+)
+:
+    soilMechanics(soil)
+{
+    checkKeys(dict, {"cohesion", "frictionAngle"});
+
+    cohesion_ = readCheckedOrDefault
+    (
+        dict,
+        "cohesion",
+        cohesion_,
+        notNegative,
+        ">= 0 Pa"
+    );
+    frictionAngle_ = readCheckedOrDefault
+    (
+        dict,
+        "frictionAngle",
+        frictionAngle_,
+        acute,
+        frictionAngleRange
+    );
 }
 
 
