@@ -21,6 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "searchDirection.H"
+#include "bishop.H"
 
 #include <algorithm>
 #include <cmath>
@@ -108,10 +109,11 @@ std::vector<double> slopeStability::searchDirection::places
 double slopeStability::searchDirection::evaluate
 (
     const slipArc& arc,
+    const stabilityMethod& method,
     equilibrium& answer
 ) const
 {
-    answer = method_.solve(slipMass(section_, arc, settings_.nSlices));
+    answer = method.solve(slipMass(section_, arc, settings_.nSlices));
     ++counts_.evaluated;
 
     if (answer.outcome == verdict::converged)
@@ -136,7 +138,7 @@ double slopeStability::searchDirection::evaluate
     }
 
     equilibrium answer;
-    return evaluate(*arc, answer);
+    return evaluate(*arc, method_, answer);
 }
 
 
@@ -157,6 +159,7 @@ std::optional<slopeStability::slipArc> slopeStability::searchDirection::arcAt
 std::vector<slopeStability::minimum>
 slopeStability::searchDirection::gridSearch() const
 {
+    const bishop gridMethod;
     std::vector<minimum> grid;
     const std::vector<double> exits = places(exitMin_, exitMax_);
 
@@ -182,7 +185,7 @@ slopeStability::searchDirection::gridSearch() const
                     (1 - w)*halfAngles->min + w*halfAngles->max
                 );
                 equilibrium answer;
-                const double FOS = evaluate(arc, answer);
+                const double FOS = evaluate(arc, gridMethod, answer);
                 if (FOS < infinity)
                 {
                     grid.push_back
@@ -224,7 +227,6 @@ slopeStability::searchDirection::gridSearch() const
         );
         if (isApart)
         {
-            // As all later ones, from its place: to the last digit
             starts.push_back({m.place, evaluate(Eigen::Vector3d(m.place))});
         }
         if (int(starts.size()) == settings_.nStarts)
@@ -323,7 +325,7 @@ slopeStability::slipResult slopeStability::searchDirection::describe
 {
     const slipArc arc = *arcAt(best.place);
     equilibrium answer;
-    evaluate(arc, answer);
+    evaluate(arc, method_, answer);
 
     slipResult result = counts_;
     result.found = true;

@@ -56,6 +56,7 @@ slopeStability::interslice::imbalance slopeStability::interslice::march
     double E = 0;
     double X = 0;
     double strength = 0;
+    bool unbounded = false;
 
     for (std::size_t i = 0; i < f.size(); ++i)
     {
@@ -64,7 +65,7 @@ slopeStability::interslice::imbalance slopeStability::interslice::march
         double cohesion = s.cohesion/F;
         double friction = s.tanPhi/F;
         double m = mAlpha(s, F);
-        double before = E;
+        const double before = E;
         double shear = 0;
 
         // A second time without strength if it came out negative
@@ -79,9 +80,12 @@ slopeStability::interslice::imbalance slopeStability::interslice::march
             const double k = (s.sinAlpha - s.cosAlpha*friction)/m;
             const double vertical = s.weight - cohesion*s.sinAlpha + X;
 
+            const double denominator = 1 + k*lambda*f[i];
+
             E =
                 (before + s.thrust - cohesion*s.cosAlpha + k*vertical)
-               /std::max(minDenominator, 1 + k*lambda*f[i]);
+               /std::max(minDenominator, denominator);
+            unbounded = unbounded || denominator < minDenominator;
 
             const double N = (vertical - lambda*f[i]*E)/m;
             shear = cohesion + N*friction;
@@ -95,7 +99,7 @@ slopeStability::interslice::imbalance slopeStability::interslice::march
         strength += std::max(0.0, shear);
     }
 
-    return {E, mass.driving() - strength};
+    return {E, mass.driving() - strength, unbounded};
 }
 
 
@@ -105,7 +109,9 @@ std::optional<double> slopeStability::interslice::balanced
     const std::vector<double>& f,
     const double lambda,
     double imbalance::* part,
-    const double start
+    const double start,
+    const double lowest,
+    const double highest
 )
 {
     return rootOf
@@ -116,8 +122,8 @@ std::optional<double> slopeStability::interslice::balanced
         },
         start,
         1.02*start,
-        0.1*start,
-        10*start,
+        lowest,
+        highest,
         tolerance*start
     );
 }
@@ -138,17 +144,23 @@ slopeStability::equilibrium slopeStability::interslice::solve
 
     const std::vector<double> f = inclinations(mass);
 
-    // The F of the moments, which depends little on lambda
+    // Away from the solution the F of the forces may be far off
+    const double lowest = 0.2*start.FOS;
+    const double highest = 20*start.FOS;
+
+    // Each lambda starts from the F of the one before
     double moments = start.FOS;
     double forces = start.FOS;
     bool found = true;
 
     const auto difference = [&](const double lambda)
     {
-        const std::optional<double> m =
-            balanced(mass, f, lambda, &imbalance::moment, moments);
-        const std::optional<double> e =
-            balanced(mass, f, lambda, &imbalance::force, forces);
+        const auto balance = [&](double imbalance::* part, const double from)
+        {
+            return balanced(mass, f, lambda, part, from, lowest, highest);
+        };
+        const std::optional<double> m = balance(&imbalance::moment, moments);
+        const std::optional<double> e = balance(&imbalance::force, forces);
 
         found = m && e;
         if (!found)
@@ -167,7 +179,17 @@ slopeStability::equilibrium slopeStability::interslice::solve
     const std::optional<double> lambda =
         rootOf(difference, 0, 0.3, -steepest, steepest, 1e-12);
 
-    if (!found || !lambda)
+    // How far a physical solution may be from Bishop's
+    const double apart = 2;
+
+    if
+    (
+        !found
+     || !lambda
+     || moments > apart*start.FOS
+     || start.FOS > apart*moments
+     || march(mass, f, moments, *lambda).unbounded
+    )
     {
         return {0, 0, verdict::notConverged};
     }
