@@ -25,21 +25,51 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::nonOrthogonalFlux::setFace
+(
+    const label facei,
+    const vector& delta,
+    const bool open
+)
+{
+    // Smaller parts of a face's area are round-off of the mesh's points
+    const scalar negligible = 1e-6;
+
+    const vector& area = mesh_.faceAreas()[facei];
+
+    rest_[facei] = Zero;
+    direction_[facei] = area/magSqr(area);
+
+    if (open)
+    {
+        // The flux of two points is that over the area T |d|
+        const scalar T = magSqr(area)/(area & delta);
+        const vector rest(area - T*delta);
+
+        if (mag(rest) > negligible*mag(area))
+        {
+            rest_[facei] = rest;
+            direction_[facei] = delta/(T*magSqr(delta));
+            active_ = true;
+        }
+    }
+}
+
+
 Foam::tmp<Foam::vectorField> Foam::nonOrthogonalFlux::cellVelocity
 (
-    const scalarField& faceFlux
+    const scalarField& pointFlux
 ) const
 {
-    const vectorField& area = mesh_.faceAreas();
     const labelList& owner = mesh_.faceOwner();
     const labelList& neighbour = mesh_.faceNeighbour();
 
     auto tvelocity = tmp<vectorField>::New(mesh_.nCells(), Zero);
     vectorField& velocity = tvelocity.ref();
 
-    forAll(area, facei)
+    forAll(owner, facei)
     {
-        const vector part(area[facei]*(faceFlux[facei]/mag(area[facei])));
+        const vector part(pointFlux[facei]*direction_[facei]);
 
         velocity[owner[facei]] += part;
         if (facei < neighbour.size())
@@ -50,7 +80,7 @@ Foam::tmp<Foam::vectorField> Foam::nonOrthogonalFlux::cellVelocity
 
     forAll(velocity, celli)
     {
-        velocity[celli] = reconstruction_[celli] & velocity[celli];
+        velocity[celli] = inverse_[celli] & velocity[celli];
     }
 
     return tvelocity;
@@ -63,73 +93,79 @@ Foam::nonOrthogonalFlux::nonOrthogonalFlux(const fvMesh& mesh)
 :
     mesh_(mesh),
     rest_(mesh.nFaces(), Zero),
+    direction_(mesh.nFaces(), Zero),
     active_(false),
-    reconstruction_(mesh.nCells(), Zero),
+    inverse_(mesh.nCells(), Zero),
     correction_(mesh.nFaces(), Zero)
-{
-    // Smaller parts of a face's area are round-off of the mesh's points
-    const scalar negligible = 1e-6;
+{}
 
-    const vectorField& area = mesh.faceAreas();
-    const vectorField& faceCentres = mesh.faceCentres();
-    const vectorField& centres = mesh.cellCentres();
-    const labelList& owner = mesh.faceOwner();
-    const labelList& neighbour = mesh.faceNeighbour();
-    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::nonOrthogonalFlux::setGeometry(const UList<bool>& open)
+{
+    const vectorField& centres = mesh_.cellCentres();
+    const labelList& owner = mesh_.faceOwner();
+    const labelList& neighbour = mesh_.faceNeighbour();
 
     vectorField otherCentres;
-    syncTools::swapBoundaryCellPositions(mesh, centres, otherCentres);
+    syncTools::swapBoundaryCellPositions(mesh_, centres, otherCentres);
 
-    forAll(area, facei)
+    forAll(neighbour, facei)
     {
-        const label own = owner[facei];
-        const symmTensor square(sqr(area[facei])/mag(area[facei]));
+        setFace
+        (
+            facei,
+            centres[neighbour[facei]] - centres[owner[facei]],
+            true
+        );
+    }
 
-        reconstruction_[own] += square;
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        forAll(patch, i)
+        {
+            const label facei = patch.start() + i;
+            const label b = facei - mesh_.nInternalFaces();
+            const vector& other =
+                patch.coupled()
+              ? otherCentres[b]
+              : mesh_.faceCentres()[facei];
 
-        vector other(faceCentres[facei]);
-        bool open = true;
-        if (facei < neighbour.size())
-        {
-            other = centres[neighbour[facei]];
-            reconstruction_[neighbour[facei]] += square;
-        }
-        else
-        {
-            const polyPatch& patch = patches[patches.whichPatch(facei)];
-            if (patch.coupled())
-            {
-                other = otherCentres[facei - mesh.nInternalFaces()];
-            }
-            open = !polyPatch::constraintType(patch.type()) || patch.coupled();
-        }
-
-        if (open)
-        {
-            const vector k(rest(area[facei], other - centres[own]));
-            if (mag(k) > negligible*mag(area[facei]))
-            {
-                rest_[facei] = k;
-                active_ = true;
-            }
+            setFace
+            (
+                facei,
+                other - centres[owner[facei]],
+                patch.coupled() || open[b]
+            );
         }
     }
 
     reduce(active_, orOp<bool>());
 
-    if (active_)
+    inverse_ = Zero;
+    forAll(owner, facei)
     {
-        for (symmTensor& t : reconstruction_)
+        const symmTensor square
+        (
+            sqr(direction_[facei])/magSqr(direction_[facei])
+        );
+
+        inverse_[owner[facei]] += square;
+        if (facei < neighbour.size())
         {
-            t = inv(t);
+            inverse_[neighbour[facei]] += square;
         }
+    }
+
+    for (symmTensor& t : inverse_)
+    {
+        t = inv(t);
     }
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::nonOrthogonalFlux::update(const scalarField& faceFlux)
+void Foam::nonOrthogonalFlux::update(const scalarField& pointFlux)
 {
     if (!active_)
     {
@@ -138,9 +174,8 @@ void Foam::nonOrthogonalFlux::update(const scalarField& faceFlux)
 
     const labelList& owner = mesh_.faceOwner();
     const labelList& neighbour = mesh_.faceNeighbour();
-    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
 
-    const vectorField velocity(cellVelocity(faceFlux));
+    const vectorField velocity(cellVelocity(pointFlux));
 
     forAll(neighbour, facei)
     {
@@ -152,7 +187,7 @@ void Foam::nonOrthogonalFlux::update(const scalarField& faceFlux)
     vectorField otherVelocity;
     syncTools::swapBoundaryCellList(mesh_, velocity, otherVelocity);
 
-    for (const polyPatch& patch : patches)
+    for (const polyPatch& patch : mesh_.boundaryMesh())
     {
         forAll(patch, i)
         {

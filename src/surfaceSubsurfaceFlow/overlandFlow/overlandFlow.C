@@ -313,6 +313,12 @@ Foam::overlandFlow::overlandFlow(const fvMesh& mesh, groundSurface& ground)
     ),
     outflow_(0)
 {
+    // Construction from a temporary field does not keep this
+    for (areaScalarField* field : {&h_, &hs_, &qExchange_, &depthRate_})
+    {
+        field->writeOpt() = IOobject::AUTO_WRITE;
+    }
+
     elevation_.primitiveFieldRef() =
         SubField<scalar>(ground_.elevation(), aMesh_.nFaces());
     elevation_.correctBoundaryConditions();

@@ -151,7 +151,14 @@ void Foam::overlandFlow::renewGradient()
 
     forAll(h_, i)
     {
-        const scalar extra = trace*(xx[i] + yy[i]) + VSMALL;
+        if (xx[i] + yy[i] <= 0)
+        {
+            gradient1_[i] = 0;
+            gradient2_[i] = 0;
+            continue;
+        }
+
+        const scalar extra = trace*(xx[i] + yy[i]);
         const scalar a = xx[i] + extra;
         const scalar c = yy[i] + extra;
         const scalar determinant = a*c - sqr(xy[i]);

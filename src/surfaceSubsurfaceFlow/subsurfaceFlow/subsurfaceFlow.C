@@ -110,7 +110,8 @@ Foam::subsurfaceFlow::subsurfaceFlow
     cellStates_(mesh.nCells()),
     boundaryStates_(mesh.nFaces() - mesh.nInternalFaces()),
     storageOld_(mesh.nCells(), Zero),
-    faceFlux_(mesh.nFaces(), Zero)
+    faceFlux_(mesh.nFaces(), Zero),
+    pointFlux_(mesh.nFaces(), Zero)
 {
     forAll(tables_, soili)
     {

@@ -68,6 +68,7 @@ void Foam::subsurfaceFlow::assembleInternal
             )
         );
 
+        pointFlux_[facei] = f.value;
         faceFlux_[facei] = f.value + correction[facei];
 
         matrix.addFlux
@@ -106,6 +107,7 @@ void Foam::subsurfaceFlow::assembleProcessor
             )
         );
 
+        pointFlux_[facei] = f.value;
         faceFlux_[facei] = f.value + correction_.correction()[facei];
 
         matrix.addInterfaceFlux
@@ -151,11 +153,12 @@ Foam::richardsFlux::flux Foam::subsurfaceFlow::boundaryFlux
         case condition::seepage:
         {
             result = flux(connections_[facei], cell, boundaryState(facei));
-            result.value += correction_.correction()[facei];
 
-            if (type == condition::seepage && result.value <= 0)
+            const scalar correction = correction_.correction()[facei];
+            if (type == condition::seepage && result.value + correction <= 0)
             {
                 result = richardsFlux::flux();
+                result.value = -correction;
             }
             break;
         }
@@ -196,8 +199,19 @@ void Foam::subsurfaceFlow::assemblePatch
             boundaryFlux(flux, conditions_[patchi], facei, inflow)
         );
 
+        pointFlux_[facei] = f.value;
         faceFlux_[facei] = f.value;
-        matrix.add(mesh_.faceOwner()[facei], dt*f.value, dt*f.dFirst);
+        if (open(conditions_[patchi]))
+        {
+            faceFlux_[facei] += correction_.correction()[facei];
+        }
+
+        matrix.add
+        (
+            mesh_.faceOwner()[facei],
+            dt*faceFlux_[facei],
+            dt*f.dFirst
+        );
     }
 }
 
@@ -292,7 +306,7 @@ void Foam::subsurfaceFlow::setGround(const label facei, const scalar unknown)
 
 void Foam::subsurfaceFlow::renewCorrection()
 {
-    correction_.update(faceFlux_);
+    correction_.update(pointFlux_);
 }
 
 
@@ -335,6 +349,7 @@ void Foam::subsurfaceFlow::assemble
             )
         );
 
+        pointFlux_[facei] = f.value;
         faceFlux_[facei] = f.value + correction_.correction()[facei];
 
         matrix.addFlux

@@ -66,6 +66,15 @@ void Foam::subsurfaceFlow::readConditions()
 }
 
 
+bool Foam::subsurfaceFlow::open(const condition type)
+{
+    return
+        type == condition::head
+     || type == condition::seepage
+     || type == condition::surface;
+}
+
+
 void Foam::subsurfaceFlow::setConnection
 (
     richardsFlux::connection& c,
@@ -140,6 +149,19 @@ void Foam::subsurfaceFlow::makeConnections()
     }
 
     flux_->prepare(connections_);
+
+    boolList openFaces(mesh_.nFaces() - mesh_.nInternalFaces(), false);
+    forAll(conditions_, patchi)
+    {
+        const polyPatch& patch = mesh_.boundaryMesh()[patchi];
+        SubList<bool>
+        (
+            openFaces,
+            patch.size(),
+            patch.start() - mesh_.nInternalFaces()
+        ) = open(conditions_[patchi]);
+    }
+    correction_.setGeometry(openFaces);
 }
 
 // ************************************************************************* //
