@@ -127,9 +127,15 @@ double mpm::Terrain<2>::distance
             ((x[0] - a[0])*bx + (x[1] - a[1])*by)/(bx*bx + by*by);
 
         // The end pieces go on for ever
-        const double lowest = i == 0 ? position : 0;
-        const double highest = i == nPieces - 1 ? position : 1;
-        const double t = std::min(highest, std::max(lowest, position));
+        double t = position;
+        if (i > 0)
+        {
+            t = std::max(t, 0.0);
+        }
+        if (i < nPieces - 1)
+        {
+            t = std::min(t, 1.0);
+        }
 
         const Vector<2> r{{x[0] - a[0] - t*bx, x[1] - a[1] - t*by}};
         const double square = r[0]*r[0] + r[1]*r[1];
