@@ -203,7 +203,7 @@ void verification::columnCollapse(Checks& checks, const bool longVersion)
                 return mpm::Point3{{-x[1], x[0], x[2]}};
             }
         ),
-        1e-6,
+        1e-8,
         chaos
     );
     checks.less
@@ -218,7 +218,7 @@ void verification::columnCollapse(Checks& checks, const bool longVersion)
                 return mpm::Point3{{-x[0], x[1], x[2]}};
             }
         ),
-        1e-6,
+        1e-8,
         chaos
     );
 
@@ -242,7 +242,7 @@ void verification::columnCollapse(Checks& checks, const bool longVersion)
             std::string("vertical along ") + (other.second > 0 ? "+" : "-")
           + "xyz"[other.first] + ": distance to that along +z [m]",
             largest,
-            1e-6,
+            1e-8,
             chaos
         );
     }

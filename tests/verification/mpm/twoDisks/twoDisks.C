@@ -161,9 +161,10 @@ void verification::twoDisks(Checks& checks, const bool)
     (
         "APIC: energy kept",
         apic.energyKept,
-        0.9,
+        0.8,
         1.0001,
-        "the filter takes the short waves of the impact, nothing is gained"
+        "APIC's filter takes the short waves of the impact, at 16 cells a "
+        "disk; nothing is gained"
     );
     checks.report("APIC: kinetic energy after the rebound", apic.kineticKept);
 
@@ -180,8 +181,8 @@ void verification::twoDisks(Checks& checks, const bool)
         "FLIP: energy kept",
         flip.energyKept,
         0.98,
-        1.005,
-        "known results of the method keep 98 %"
+        1.01,
+        "no filter: published runs keep 98 %"
     );
 
     const Collision oblique = collide("APIC", 0.15);
