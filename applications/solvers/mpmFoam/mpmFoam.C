@@ -59,6 +59,7 @@ See also
 
 #include "fvCFD.H"
 #include "landslideRunout.H"
+#include "selectedTimes.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -102,14 +103,14 @@ int main(int argc, char *argv[])
     {
         if (args.found("time"))
         {
-            runTime.setTime(timeSelector::select0(runTime, args).last(), 0);
+            runTime.setTime(selectedTimes(runTime, args).last(), 0);
         }
 
         landslideRunout(name, runTime, nullptr, options).execute(std::nullopt);
     }
     else
     {
-        const instantList times(timeSelector::select0(runTime, args));
+        const instantList times(selectedTimes(runTime, args));
 
         #include "createNamedMesh.H"
 

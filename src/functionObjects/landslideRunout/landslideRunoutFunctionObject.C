@@ -75,14 +75,15 @@ landslideRunoutFunctionObject
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
-    runout_(nullptr)
+    runout_(nullptr),
+    atOutputTimes_(true)
 {
     read(dict);
 
     // A solver calls execute() after its first step only
     if (!postProcess && dict.getOrDefault("executeAtStart", true))
     {
-        execute();
+        runout_->execute(factorOfSafety());
     }
 }
 
@@ -97,6 +98,7 @@ bool Foam::functionObjects::landslideRunoutFunctionObject::read
     fvMeshFunctionObject::read(dict);
 
     runout_.reset(new landslideRunout(name(), time_, &mesh_, dict));
+    atOutputTimes_ = !postProcess && !dict.found("executeControl");
 
     return true;
 }
@@ -104,7 +106,10 @@ bool Foam::functionObjects::landslideRunoutFunctionObject::read
 
 bool Foam::functionObjects::landslideRunoutFunctionObject::execute()
 {
-    runout_->execute(factorOfSafety());
+    if (!atOutputTimes_ || time_.writeTime())
+    {
+        runout_->execute(factorOfSafety());
+    }
 
     return true;
 }

@@ -320,7 +320,8 @@ Foam::word Foam::landslideRunout::digest
         append(sha, wall.triangles);
     }
 
-    return sha.digest().str();
+    // A word must not begin with a digit
+    return "sha1_" + sha.digest().str();
 }
 
 

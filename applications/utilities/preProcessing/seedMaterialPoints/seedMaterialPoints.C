@@ -53,6 +53,7 @@ See also
 #include "landslideRunout.H"
 #include "pointSetWriter.H"
 #include "pointTable.H"
+#include "selectedTimes.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -87,7 +88,7 @@ int main(int argc, char *argv[])
         }
     }
 
-    const instantList times(timeSelector::select0(runTime, args));
+    const instantList times(selectedTimes(runTime, args));
 
     #include "createNamedMesh.H"
 
