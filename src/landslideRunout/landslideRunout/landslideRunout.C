@@ -66,7 +66,10 @@ void Foam::landslideRunout::writeSummary
     if (end)
     {
         maxDisplacement = end->maxDisplacement;
-        front = end->front;
+        if (end->front != outcome::noFront)
+        {
+            front = end->front;
+        }
 
         timeTable verdicts
         (

@@ -53,6 +53,44 @@ static void append(SHA1& sha, const std::vector<Type>& values)
     );
 }
 
+// The third column of the first row of a time that has one: columns are time,
+// method, FOS, separated by tabs
+static std::optional<scalar> firstValue
+(
+    const fileName& file,
+    const scalar time
+)
+{
+    const scalar sameTime = 1e-6;
+
+    std::ifstream is(file);
+    std::string line;
+
+    while (std::getline(is, line))
+    {
+        std::istringstream row(line);
+        std::string timeText, method, fosText;
+
+        std::getline(row, timeText, '\t');
+        std::getline(row, method, '\t');
+        std::getline(row, fosText, '\t');
+
+        scalar rowTime, fos;
+
+        if
+        (
+            readScalar(timeText, rowTime)
+         && readScalar(fosText, fos)
+         && mag(rowTime - time) <= sameTime*max(scalar(1), mag(time))
+        )
+        {
+            return fos;
+        }
+    }
+
+    return std::nullopt;
+}
+
 } // End namespace Foam
 
 
@@ -365,24 +403,12 @@ Foam::landslideRunout::writtenFactorOfSafety() const
 
         for (const fileName& start : readDir(folder, fileName::DIRECTORY))
         {
-            std::ifstream is(folder/start/"factorOfSafety.dat");
-            std::string line;
+            const auto found =
+                firstValue(folder/start/"factorOfSafety.dat", time_.value());
 
-            while (std::getline(is, line))
+            if (found)
             {
-                std::istringstream values(line);
-                scalar t, fos;
-                std::string method;
-
-                if
-                (
-                    values >> t >> method >> fos
-                 && mag(t - time_.value()) <= 1e-6*max(1, time_.value())
-                 && !result
-                )
-                {
-                    result = fos;
-                }
+                result = found;
             }
         }
     }

@@ -49,6 +49,7 @@ void Foam::landslideRunout::start
 (
     mpm::Run& run,
     slideState& state,
+    slideRecord& record,
     const slidePoints& points
 ) const
 {
@@ -60,9 +61,11 @@ void Foam::landslideRunout::start
         "restoring a sliding state",
         [&]()
         {
-            restored = state.restore(run);
+            restored = state.restore(run, record);
         }
     );
+
+    record.goOnFrom(restored ? run.time() : -1);
 
     if (restored)
     {
@@ -129,16 +132,9 @@ Foam::landslideRunout::outcome Foam::landslideRunout::slide
             << time_.timePath() << endl;
     }
 
-    start(*run, state, points);
+    slideRecord record(outputFolder()/time_.timeName(), frame_);
 
-    const bool fresh = (run->stepNumber() == 0);
-
-    slideRecord record
-    (
-        outputFolder()/time_.timeName(),
-        frame_,
-        fresh ? -1 : run->time()
-    );
+    start(*run, state, record, points);
 
     mpm::Diagnostics d(run->diagnostics());
 
@@ -149,7 +145,7 @@ Foam::landslideRunout::outcome Foam::landslideRunout::slide
             state.save(*run);
         };
 
-    if (fresh)
+    if (state.row() == 0)
     {
         record.add(d);
         mpmChecked(properties_, "writing the slide", write);
@@ -212,7 +208,11 @@ Foam::landslideRunout::outcome Foam::landslideRunout::slide
         << " times by the grid's largest extent" << nl
         << "        CPU time " << clock.elapsedCpuTime() << " s" << endl;
 
-    return outcome{d.maxDisplacement, d.front};
+    return outcome
+    {
+        d.maxDisplacement,
+        d.movedPoints ? d.front : outcome::noFront
+    };
 }
 
 // ************************************************************************* //

@@ -418,11 +418,22 @@ void Foam::slidePoints::strengthOf
 ) const
 {
     wordList names;
+    PtrList<soilMechanics> others(soils_.size());
+
     forAll(soils_, soili)
     {
-        if (soils_.set(soili))
+        if (!soils_.set(soili))
         {
-            names.append(soils_[soili].name());
+            continue;
+        }
+
+        const soilMechanics& soil = soils_[soili];
+
+        names.append(soil.name());
+
+        if (const dictionary* dictPtr = soilsDict.findDict(soil.name()))
+        {
+            others.set(soili, new soilMechanics(soil, *dictPtr));
         }
     }
     checkKeys(soilsDict, names);
@@ -436,11 +447,9 @@ void Foam::slidePoints::strengthOf
 
     forAll(position_, i)
     {
-        const soilMechanics& soil = soils_[soil_[i]];
-
-        if (const dictionary* dictPtr = soilsDict.findDict(soil.name()))
+        if (others.set(soil_[i]))
         {
-            const soilMechanics other(soil, *dictPtr);
+            const soilMechanics& other = others[soil_[i]];
 
             cohesionIntercept[i] = other.cohesionIntercept(porePressure_[i]);
             frictionAngle[i] = other.frictionAngle();

@@ -132,8 +132,7 @@ void Foam::slideRecord::writeSeries() const
 Foam::slideRecord::slideRecord
 (
     const fileName& folder,
-    const slideFrame& frame,
-    const scalar fromTime
+    const slideFrame& frame
 )
 :
     folder_(folder),
@@ -147,11 +146,23 @@ Foam::slideRecord::slideRecord
         }
     ),
     pointTimes_()
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::slideRecord::reaches(const scalar time) const
 {
-    runout_.removeAfter(fromTime);
+    return runout_.found(time) && isFile(folder_/pointFile(time));
+}
+
+
+void Foam::slideRecord::goOnFrom(const scalar time)
+{
+    runout_.removeAfter(time);
 
     // The point files that are there, by the times in their names
-    scalarList times;
+    DynamicList<scalar> times;
     for (const fileName& name : readDir(folder_, fileName::FILE))
     {
         const auto underscore = name.find('_');
@@ -163,21 +174,19 @@ Foam::slideRecord::slideRecord
     }
     sort(times);
 
-    for (const scalar time : times)
+    for (const scalar t : times)
     {
-        if (time <= timeTable::rounded(fromTime))
+        if (t <= timeTable::rounded(time))
         {
-            pointTimes_.append(time);
+            pointTimes_.append(t);
         }
         else
         {
-            rm(folder_/pointFile(time));
+            rm(folder_/pointFile(t));
         }
     }
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::slideRecord::add(const mpm::Diagnostics& d)
 {
@@ -187,7 +196,7 @@ void Foam::slideRecord::add(const mpm::Diagnostics& d)
         {
             timeTable::text(d.kineticEnergy),
             timeTable::text(d.maxDisplacement),
-            timeTable::text(d.front),
+            d.movedPoints ? timeTable::text(d.front) : string(),
             timeTable::text(d.crest),
             Foam::name(label(d.activePoints))
         }

@@ -28,7 +28,7 @@ License
 #include "OSspecific.H"
 #include "dictionary.H"
 #include "outputFolder.H"
-#include "timeTable.H"
+#include "slideRecord.H"
 #include "mpmRun.H"
 
 #include <fstream>
@@ -85,7 +85,7 @@ Foam::slideState::slideState
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::slideState::restore(mpm::Run& run)
+bool Foam::slideState::restore(mpm::Run& run, const slideRecord& record)
 {
     if (!kept() || !isDir(folder_))
     {
@@ -97,7 +97,7 @@ bool Foam::slideState::restore(mpm::Run& run)
         IFstream is(folder(time)/"state");
         const dictionary dict(is);
 
-        if (dict.get<word>("digest") != digest_)
+        if (dict.get<word>("digest") != digest_ || !record.reaches(time))
         {
             continue;
         }

@@ -24,7 +24,8 @@ Application
 Description
     Writes the material points that a slide would start with, with the strength
     and weight that the water of a time gives them, to
-    postProcessing/seedMaterialPoints/<time>/points.<format>, without sliding.
+    postProcessing/seedMaterialPoints/<time>/points.<format>, without sliding;
+    the corners of terrain walls beside it in wall_<name>.<format>.
 
 Usage
     \b seedMaterialPoints [OPTION]
@@ -54,6 +55,42 @@ See also
 #include "pointSetWriter.H"
 #include "pointTable.H"
 #include "selectedTimes.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+// Write the corners of the walls that are terrains, for looking at
+void writeTerrains
+(
+    const std::vector<mpm::WallSettings>& walls,
+    const slideFrame& frame,
+    const fileName& pointsFile,
+    const pointSetWriter& writer
+)
+{
+    for (const mpm::WallSettings& wall : walls)
+    {
+        if (wall.vertices.empty() || !Pstream::master())
+        {
+            continue;
+        }
+
+        pointField vertices(wall.vertices.size());
+
+        forAll(vertices, i)
+        {
+            const mpm::Point3& v = wall.vertices[i];
+            vertices[i] = frame.toSpace(point(v[0], v[1], v[2]));
+        }
+
+        writer.write
+        (
+            pointsFile.path()/("wall_" + wall.name + "." + writer.ext()),
+            pointTable(vertices),
+            0
+        );
+    }
+}
+
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -117,6 +154,8 @@ int main(int argc, char *argv[])
         {
             writer->write(file, points.table(), runTime.value());
         }
+
+        writeTerrains(runout.walls(points), points.frame(), file, writer());
 
         Info<< "    " << points.size() << " points written to "
             << runTime.relativePath(file) << nl << endl;

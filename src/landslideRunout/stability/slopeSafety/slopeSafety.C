@@ -1,0 +1,394 @@
+/*---------------------------------------------------------------------------*\
+  slideFoam | from rain to runout
+  Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with slideFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "slopeSafety.H"
+#include "criticalSurface.H"
+#include "factorOfSafetyTable.H"
+#include "functionObject.H"
+#include "fvMesh.H"
+#include "IOdictionary.H"
+#include "mpmChecked.H"
+#include "readChecked.H"
+#include "soilMechanics.H"
+#include "soilZones.H"
+#include "Time.H"
+#include "uniformDimensionedFields.H"
+
+#include <iomanip>
+#include <sstream>
+
+// * * * * * * * * * * * * * Static Data Members  * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(slopeSafety, 0);
+}
+
+
+// * * * * * * * * * * * * * * Local Functions  * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// Names of the columns after time, method and FOS, with their values
+static std::vector<std::pair<const char*, scalar>> surfaceColumns
+(
+    const slopeStability::slipResult& r
+)
+{
+    return
+    {
+        {"centreX", r.centre.x()},
+        {"centreY", r.centre.y()},
+        {"radius", r.radius},
+        {"entryX", r.entry.x()},
+        {"entryY", r.entry.y()},
+        {"exitX", r.exit.x()},
+        {"exitY", r.exit.y()},
+        {"depth", r.depth},
+        {"lambda", r.lambda},
+        {"slices", scalar(r.nSlices)},
+        {"evaluated", scalar(r.evaluated)}
+    };
+}
+
+
+static std::string header()
+{
+    std::string line("time\tmethod\tFOS");
+    for (const auto& column : surfaceColumns(slopeStability::slipResult()))
+    {
+        line += std::string("\t") + column.first;
+    }
+
+    return line;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
+
+void Foam::slopeSafety::check() const
+{
+    // Wrong names are answered at once, not at the first output
+    mpmChecked
+    (
+        dict_,
+        "reading the settings of " + name_,
+        [this]()
+        {
+            searchSettings().check();
+
+            for (const word& method : methods())
+            {
+                slopeStability::stabilityMethod::New(method);
+            }
+        }
+    );
+}
+
+
+Foam::wordList Foam::slopeSafety::methods() const
+{
+    const wordList names
+    (
+        dict_.getOrDefault<wordList>("methods", {"bishop", "spencer"})
+    );
+
+    if (names.empty())
+    {
+        FatalIOErrorInFunction(dict_)
+            << "methods () names none; at least one is needed"
+            << exit(FatalIOError);
+    }
+
+    return names;
+}
+
+
+Foam::vector Foam::slopeSafety::readGravity(const Time& time)
+{
+    return uniformDimensionedVectorField
+    (
+        IOobject
+        (
+            "g",
+            time.constant(),
+            time,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    ).value();
+}
+
+
+Foam::autoPtr<Foam::mappingSection> Foam::slopeSafety::readSection() const
+{
+    if (dict_.found("section"))
+    {
+        return autoPtr<mappingSection>::New(dict_.subDict("section"), g_);
+    }
+
+    // A layer between empty patches has one horizontal axis
+    const scalar horizontal = 1e-6;
+
+    if (mesh_.nGeometricD() == 2)
+    {
+        for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
+        {
+            vector axis(Zero);
+            axis[cmpt] = 1;
+
+            if
+            (
+                mesh_.geometricD()[cmpt] == 1
+             && mag(axis & g_) < horizontal*mag(g_)
+            )
+            {
+                return autoPtr<mappingSection>::New(point(Zero), axis, g_);
+            }
+        }
+    }
+
+    FatalIOErrorInFunction(dict_)
+        << "Entry section { origin; direction; } is required: the mesh is not"
+        << " one layer between empty patches with a horizontal axis"
+        << exit(FatalIOError);
+
+    return nullptr;
+}
+
+
+slopeStability::searchSettings Foam::slopeSafety::searchSettings() const
+{
+    slopeStability::searchSettings settings;
+
+    dict_.readIfPresent("minDepth", settings.minDepth);
+
+    if (dict_.found("entryLimits"))
+    {
+        const auto limits(dict_.get<Pair<scalar>>("entryLimits"));
+        settings.entryMin = limits.first();
+        settings.entryMax = limits.second();
+    }
+    if (dict_.found("exitLimits"))
+    {
+        const auto limits(dict_.get<Pair<scalar>>("exitLimits"));
+        settings.exitMin = limits.first();
+        settings.exitMax = limits.second();
+    }
+
+    const dictionary& sampling = dict_.subOrEmptyDict("sampling");
+    checkKeys(sampling, {"spacing", "nLevels", "nSlices"});
+    sampling.readIfPresent("nSlices", settings.nSlices);
+
+    return settings;
+}
+
+
+std::string Foam::slopeSafety::row
+(
+    const slopeStability::slipResult& result
+) const
+{
+    // As in the tables of the slides
+    const int nDigits = 12;
+
+    std::ostringstream os;
+    os  << std::setprecision(nDigits) << mesh_.time().value() << '\t'
+        << result.method << '\t';
+
+    if (result.found)
+    {
+        os << result.FOS;
+    }
+    for (const auto& column : surfaceColumns(result))
+    {
+        os << '\t';
+        if (result.found)
+        {
+            os << column.second;
+        }
+    }
+
+    return os.str();
+}
+
+
+void Foam::slopeSafety::report(const slopeStability::slipResult& result) const
+{
+    Info<< "    " << result.method.c_str() << ": ";
+
+    if (result.found)
+    {
+        Info<< "FOS = " << result.FOS
+            << ", x = " << result.entry.x() << " to " << result.exit.x()
+            << ", depth = " << result.depth
+            << ", centre = (" << result.centre.x() << ' '
+            << result.centre.y() << "), radius = " << result.radius << nl;
+        return;
+    }
+
+    Info<< "no admissible slip surface";
+    if (!result.evaluated)
+    {
+        Info<< ": no circle of the minimum depth within the limits";
+    }
+    for (const auto& reason : result.refused)
+    {
+        Info<< ", " << reason.first.c_str() << " " << label(reason.second);
+    }
+    Info<< nl;
+}
+
+
+// * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * * //
+
+Foam::slopeSafety::slopeSafety
+(
+    const word& name,
+    const fvMesh& mesh,
+    const dictionary& settings,
+    const fileName& dictFile
+)
+:
+    name_(name),
+    mesh_(mesh),
+    dict_(),
+    g_(readGravity(mesh.time())),
+    section_()
+{
+    IOobject io
+    (
+        word("slopeStabilityDict"),
+        mesh.time().system(),
+        mesh.time(),
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE,
+        false
+    );
+    if (!dictFile.empty())
+    {
+        io = IOobject
+        (
+            dictFile,
+            mesh.time(),
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        );
+    }
+
+    if (!dictFile.empty() || io.typeHeaderOk<IOdictionary>(true))
+    {
+        dict_ = IOdictionary(io);
+        checkKeys
+        (
+            dict_,
+            {
+                "FoamFile", "section", "methods", "minDepth", "entryLimits",
+                "exitLimits", "zones", "groundPatch", "sampling",
+                "soilProperties", "psi", "theta", "h"
+            }
+        );
+        dict_.merge(settings);
+    }
+    else
+    {
+        dict_ = settings;
+    }
+
+    section_ = readSection();
+    check();
+}
+
+
+Foam::slopeSafety::~slopeSafety()
+{}
+
+
+// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
+
+std::optional<Foam::scalar> Foam::slopeSafety::execute
+(
+    const word& start
+) const
+{
+    const Time& time = mesh_.time();
+    const std::shared_ptr<slopeStability::slopeSection> section(makeSection());
+
+    Info<< typeName << ' ' << name_ << ": Time = " << time.timeName() << nl;
+
+    scalar factorOfSafety = -1;
+
+    if (Pstream::master())
+    {
+        std::vector<std::string> rows;
+
+        for (const word& method : methods())
+        {
+            slopeStability::slipResult result;
+
+            mpmChecked
+            (
+                dict_,
+                "searching the slip surface of " + name_,
+                [&]()
+                {
+                    result = slopeStability::criticalSurface
+                    (
+                        *section,
+                        searchSettings()
+                    ).find(*slopeStability::stabilityMethod::New(method));
+                }
+            );
+
+            report(result);
+            if (rows.empty() && result.found)
+            {
+                factorOfSafety = result.FOS;
+            }
+            rows.push_back(row(result));
+        }
+
+        factorOfSafetyTable table
+        (
+            time.globalPath()/functionObject::outputPrefix/name_/start
+           /"factorOfSafety.dat",
+            header()
+        );
+        table.set(time.value(), rows);
+        table.write();
+    }
+
+    Info<< endl;
+    Pstream::scatter(factorOfSafety);
+
+    return
+        factorOfSafety >= 0
+      ? std::optional<scalar>(factorOfSafety)
+      : std::nullopt;
+}
+
+// ************************************************************************* //
