@@ -51,7 +51,20 @@ std::string runoutPicture::commandLine::text()
 
 double runoutPicture::commandLine::number()
 {
-    const std::string word(text());
+    std::string word(text());
+
+    // Several numbers in quotes are several words
+    const auto blank = word.find_first_of(" \t");
+    if (blank != std::string::npos)
+    {
+        const auto next = word.find_first_not_of(" \t", blank);
+        if (next != std::string::npos)
+        {
+            words_.push_front(word.substr(next));
+        }
+        word.resize(blank);
+    }
+
     std::size_t used = 0;
     double value = 0;
 
