@@ -54,7 +54,8 @@ int main(int argc, char* argv[])
         {"infiniteSlope", infiniteSlope},
         {"columnCollapse", columnCollapse},
         {"validationSlope", validationSlope},
-        {"griffithsLane", griffithsLane}
+        {"griffithsLane", griffithsLane},
+        {"waterTableInside", waterTableInside}
     };
 
     const auto chosen = cases.find(argc > 1 ? argv[1] : "");
