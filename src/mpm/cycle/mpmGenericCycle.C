@@ -196,7 +196,7 @@ void mpm::GenericCycle<Dim, Shape>::scatterMomentum
                         double v = cloud.v[p][r];
                         for (int c = 0; affine_ && c < Dim; ++c)
                         {
-                            v += cloud.C[p][r*Dim + c]*distance[c];
+                            v += cloud.C[p][c*Dim + r]*distance[c];
                         }
                         patch[node][r] += m*v;
                     }
@@ -339,7 +339,7 @@ void mpm::GenericCycle<Dim, Shape>::updateStress
                     {
                         for (int k = 0; k < Dim*Dim; ++k)
                         {
-                            L[k].v[l] += patch[node][k/Dim]*gradient[k%Dim];
+                            L[k].v[l] += patch[node][k%Dim]*gradient[k/Dim];
                         }
                     }
                 );
@@ -434,7 +434,7 @@ void mpm::GenericCycle<Dim, Shape>::gather
                             weight*(after[node][r] - before[node][r]);
                         for (int c = 0; c < Dim; ++c)
                         {
-                            C[r*Dim + c] += after[node][r]*gradient[c];
+                            C[c*Dim + r] += after[node][r]*gradient[c];
                         }
                     }
                 }
@@ -471,15 +471,13 @@ void mpm::GenericCycle<Dim, Shape>::move
     alignas(64) Node after[BlockGrid<Dim>::nPatchNodes];
     state.grid.collect(after_, block, after);
 
-    // The wave speed was reported with the stress
+    PointCloud<Dim>& cloud = state.cloud;
     BlockReport<Dim>& report = state.reports[b];
-    const double wave2 = report.wave2;
-
     Stencil stencil(state.grid.cellSize(), affine_);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < block.points.size(); i += stencil.size)
     {
-        stencil.take(state.cloud.x, state.grid, block, i);
+        stencil.take(cloud.x, state.grid, block, i);
         for (int l = 0; l < stencil.count(); ++l)
         {
             Vector<Dim> dx{};
@@ -502,7 +500,17 @@ void mpm::GenericCycle<Dim, Shape>::move
             );
 
             const std::int32_t p = stencil.points()[l];
-            if (movePoint<Dim, Shape>(state, block, p, dx, wave2, report))
+            double speed2 = 0;
+            for (int d = 0; d < Dim; ++d)
+            {
+                cloud.x[p][d] += dx[d];
+                cloud.displacement[p][d] += dx[d];
+                speed2 += cloud.v[p][d]*cloud.v[p][d];
+            }
+            report.speed2 = std::max(report.speed2, speed2);
+            report.kineticEnergy += 0.5*cloud.mass[p]*speed2;
+
+            if (settlePoint<Dim, Shape>(state, block, p, report))
             {
                 block.points[kept++] = p;
             }

@@ -56,7 +56,7 @@ void addAngularMomentum
     const Tensor<2>& C = cloud.C[i];
     sum[2] += cloud.mass[i]*
     (
-        x[0]*v[1] - x[1]*v[0] + secondMoment*(C[2] - C[1])
+        x[0]*v[1] - x[1]*v[0] + secondMoment*(C[1] - C[2])
     );
 }
 
@@ -78,7 +78,7 @@ void addAngularMomentum
         const int c = (a + 2)%3;
         sum[a] += cloud.mass[i]*
         (
-            x[b]*v[c] - x[c]*v[b] + secondMoment*(C[3*c + b] - C[3*b + c])
+            x[b]*v[c] - x[c]*v[b] + secondMoment*(C[3*b + c] - C[3*c + b])
         );
     }
 }

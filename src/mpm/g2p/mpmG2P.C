@@ -24,6 +24,9 @@ License
 #include "mpmG2P.H"
 #include "mpmMovePoint.H"
 #include "mpmShapeBatch.H"
+#include "mpmTranspose.H"
+
+#include <cstring>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -111,6 +114,56 @@ inline void received
     sums[3] = vz;
 }
 
+
+//- Entry d of four nodes
+template<int Dim>
+inline void columns
+(
+    const Node& a,
+    const Node& b,
+    const Node& c,
+    const Node& d,
+    Lanes* entries
+)
+{
+    Node n[laneCount] = {a, b, c, d};
+    transpose(n[0], n[1], n[2], n[3]);
+    for (int e = 0; e < Dim; ++e)
+    {
+        entries[e] = Lanes(n[e]);
+    }
+}
+
+
+inline Eight both(const Lanes& a, const Lanes& b)
+{
+    Eight e;
+    std::memcpy(&e, &a.v, sizeof(a.v));
+    std::memcpy(reinterpret_cast<char*>(&e) + sizeof(a.v), &b.v, sizeof(b.v));
+    return e;
+}
+
+
+typedef long long EightMask __attribute__((vector_size(64)));
+
+inline bool any(const EightMask& m)
+{
+    LaneMask half[2];
+    std::memcpy(half, &m, sizeof(m));
+    return mpm::any(half[0] | half[1]);
+}
+
+
+inline double largest(const Eight& a)
+{
+    double m = a[0];
+    for (int l = 1; l < 8; ++l)
+    {
+        m = std::max(m, a[l]);
+    }
+    return m;
+}
+
 } // End anonymous namespace
 } // End namespace mpm
 
@@ -140,73 +193,119 @@ void mpm::gatherAPIC
     state.grid.collect(state.grid.nodes, block, patch);
 
     typedef ShapeBatch<Dim, QuadraticBSpline> Batch;
-    Batch batch;
-    alignas(64) Node sums[Batch::size][Dim + 1];
+    constexpr double shift = QuadraticBSpline::shift;
+    constexpr double end = BlockGrid<Dim>::edge + shift;
     const double perMoment = 4/state.grid.cellSize();
+    const double cells = deltaT/state.grid.cellSize();
+    const bool open = block.walls.empty();
 
+    Batch batch;
+    Node sums[Batch::size][Dim + 1];
+    Eight speed2{};
+    Lanes wave2(0.0);
     PointCloud<Dim>& cloud = state.cloud;
+    Vector<Dim>* x = cloud.x.data();
+    Vector<Dim>* v = cloud.v.data();
+    Vector<Dim>* u = cloud.displacement.data();
+    Tensor<Dim>* C = cloud.C.data();
+    std::int32_t* list = block.points.data();
     std::size_t kept = 0;
+
     for (std::size_t i = 0; i < n; i += Batch::size)
     {
-        batch.take(cloud.x, state.grid, block, &block.points[i], n - i);
+        batch.take(cloud.x, state.grid, block, list + i, n - i);
         for (int l = 0; l < Batch::size; ++l)
         {
             received(batch, l, patch + batch.node[l], sums[l]);
         }
 
-        for (int first = 0; first < batch.count; first += laneCount)
+        Lanes velocity[2][Dim];
+        for (int half = 0; half < 2; ++half)
         {
-            Lanes gradient[Dim*Dim];
-            for (int r = 0; r < Dim; ++r)
+            const auto& s = sums + laneCount*half;
+            columns<Dim>(s[0][0], s[1][0], s[2][0], s[3][0], velocity[half]);
+
+            const int count = batch.count - laneCount*half;
+            if (count <= 0)
             {
-                for (int c = 0; c < Dim; ++c)
+                continue;
+            }
+            Lanes gradient[Dim*Dim];
+            for (int c = 0; c < Dim; ++c)
+            {
+                for (int l = 0; l < laneCount; ++l)
                 {
-                    gradient[r*Dim + c] = perMoment*Lanes
-                    (
-                        Lanes::Numbers
-                        {
-                            sums[first][c + 1][r],
-                            sums[first + 1][c + 1][r],
-                            sums[first + 2][c + 1][r],
-                            sums[first + 3][c + 1][r]
-                        }
-                    );
+                    s[l][c + 1] *= all(perMoment);
+                }
+                columns<Dim>
+                (
+                    s[0][c + 1], s[1][c + 1], s[2][c + 1], s[3][c + 1],
+                    gradient + c*Dim
+                );
+            }
+            const std::int32_t* points = batch.point + laneCount*half;
+            const Lanes speeds = stressUpdate.update
+            (
+                cloud, points, std::min(laneCount, count), gradient
+            );
+            wave2 = maxOf(wave2, speeds);
+
+            // Neither zero or less, nor not a number
+            if (any(LaneMask{~(speeds > Lanes(0.0)).bits}))
+            {
+                for (int l = 0; l < laneCount; ++l)
+                {
+                    report.broken =
+                        speeds[l] > 0 ? report.broken : points[l];
                 }
             }
+        }
 
-            const int count = std::min(laneCount, batch.count - first);
-            const Lanes wave2 = stressUpdate.update
-            (
-                cloud, batch.point + first, count, gradient
-            );
+        Eight square{};
+        EightMask leaves{};
+        for (int d = 0; d < Dim; ++d)
+        {
+            const Eight vd = both(velocity[0][d], velocity[1][d]);
+            const Eight place = batch.local[d] + cells*vd;
+            square += vd*vd;
+            leaves |= ~((place >= shift) & (place < end));
+        }
+        speed2 = square > speed2 ? square : speed2;
+        const bool settled = open && !any(leaves);
 
-            for (int l = 0; l < count; ++l)
+        for (int l = 0; l < batch.count; ++l)
+        {
+            const std::int32_t p = batch.point[l];
+            for (int d = 0; d < Dim; ++d)
             {
-                const std::int32_t p = batch.point[first + l];
-                Vector<Dim> dx;
-                for (int d = 0; d < Dim; ++d)
+                const double vd = sums[l][0][d];
+                v[p][d] = vd;
+                x[p][d] += deltaT*vd;
+                u[p][d] += deltaT*vd;
+                for (int c = 0; c < Dim; ++c)
                 {
-                    cloud.v[p][d] = sums[first + l][0][d];
-                    dx[d] = deltaT*cloud.v[p][d];
+                    C[p][c*Dim + d] = sums[l][c + 1][d];
                 }
-                for (int c = 0; c < Dim*Dim; ++c)
-                {
-                    cloud.C[p][c] = gradient[c].v[l];
-                }
-                if
-                (
-                    movePoint<Dim, QuadraticBSpline>
-                    (
-                        state, block, p, dx, wave2.v[l], report
-                    )
-                )
-                {
-                    block.points[kept++] = p;
-                }
+            }
+            report.kineticEnergy += 0.5*cloud.mass[p]*square[l];
+
+            if
+            (
+                settled
+             || settlePoint<Dim, QuadraticBSpline>(state, block, p, report)
+            )
+            {
+                list[kept++] = p;
             }
         }
     }
     block.points.resize(kept);
+
+    report.speed2 = largest(speed2);
+    for (int l = 0; l < laneCount; ++l)
+    {
+        report.wave2 = std::max(report.wave2, wave2[l]);
+    }
 }
 
 

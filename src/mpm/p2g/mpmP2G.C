@@ -47,7 +47,7 @@ inline Node all(const double a)
 }
 
 
-Sent<2> sent
+inline Sent<2> sent
 (
     const PointCloud<2>& cloud,
     const std::int32_t p,
@@ -59,21 +59,21 @@ Sent<2> sent
     const Vector<2>& v = cloud.v[p];
     const Tensor<2>& C = cloud.C[p];
     const Stress<2>& s = cloud.sigma[p];
-    const double hm = h*m;
-    const double k = deltaT*cloud.volume[p]*4/h;
+    const Node hm = all(h*m);
+    const Node k = all(deltaT*cloud.volume[p]*4/h);
 
     return
     {
         Node{m*v[0], m*v[1], 0, m},
         {
-            Node{hm*C[0] - k*s[0], hm*C[2] - k*s[3], 0, 0},
-            Node{hm*C[1] - k*s[3], hm*C[3] - k*s[1], 0, 0}
+            hm*Node{C[0], C[1], 0, 0} - k*Node{s[0], s[3], 0, 0},
+            hm*Node{C[2], C[3], 0, 0} - k*Node{s[3], s[1], 0, 0}
         }
     };
 }
 
 
-Sent<3> sent
+inline Sent<3> sent
 (
     const PointCloud<3>& cloud,
     const std::int32_t p,
@@ -85,25 +85,16 @@ Sent<3> sent
     const Vector<3>& v = cloud.v[p];
     const Tensor<3>& C = cloud.C[p];
     const Stress<3>& s = cloud.sigma[p];
-    const double hm = h*m;
-    const double k = deltaT*cloud.volume[p]*4/h;
+    const Node hm = all(h*m);
+    const Node k = all(deltaT*cloud.volume[p]*4/h);
 
     return
     {
         Node{m*v[0], m*v[1], m*v[2], m},
         {
-            Node
-            {
-                hm*C[0] - k*s[0], hm*C[3] - k*s[3], hm*C[6] - k*s[5], 0
-            },
-            Node
-            {
-                hm*C[1] - k*s[3], hm*C[4] - k*s[1], hm*C[7] - k*s[4], 0
-            },
-            Node
-            {
-                hm*C[2] - k*s[5], hm*C[5] - k*s[4], hm*C[8] - k*s[2], 0
-            }
+            hm*Node{C[0], C[1], C[2], 0} - k*Node{s[0], s[3], s[5], 0},
+            hm*Node{C[3], C[4], C[5], 0} - k*Node{s[3], s[1], s[4], 0},
+            hm*Node{C[6], C[7], C[8], 0} - k*Node{s[5], s[4], s[2], 0}
         }
     };
 }
@@ -129,8 +120,10 @@ inline void add
         const Node slope = all(batch.w[1][y][l])*q.slope[0];
         for (int x = 0; x < 3; ++x)
         {
-            target[x] +=
-                all(batch.w[0][x][l])*row + all(batch.wd[0][x][l])*slope;
+            Node t = target[x];
+            t += all(batch.w[0][x][l])*row;
+            t += all(batch.wd[0][x][l])*slope;
+            target[x] = t;
         }
         target += BlockGrid<2>::patchEdge;
     }
@@ -158,12 +151,13 @@ inline void add
             const Node wy = all(batch.w[1][y][l]);
             const Node row = wy*plane + all(batch.wd[1][y][l])*slopeY;
             const Node slope = wy*slopeX;
-            Node* t = target + edge*y;
+            Node* line = target + edge*y;
             for (int x = 0; x < 3; ++x)
             {
-                t[x] +=
-                    all(batch.w[0][x][l])*row
-                  + all(batch.wd[0][x][l])*slope;
+                Node t = line[x];
+                t += all(batch.w[0][x][l])*row;
+                t += all(batch.wd[0][x][l])*slope;
+                line[x] = t;
             }
         }
         target += edge*edge;

@@ -178,7 +178,7 @@ TEST_CASE_TEMPLATE
                 points.v[i][r] = velocity(points.x[i], r);
                 for (int c = 0; c < Dim; ++c)
                 {
-                    points.C[i][r*Dim + c] = A[r][c];
+                    points.C[i][c*Dim + r] = A[r][c];
                 }
             }
         }
@@ -196,7 +196,7 @@ TEST_CASE_TEMPLATE
                 for (int c = 0; c < Dim; ++c)
                 {
                     const double difference =
-                        points.C[i][r*Dim + c] - A[r][c];
+                        points.C[i][c*Dim + r] - A[r][c];
                     worst = std::max(worst, std::fabs(difference));
                 }
             }
