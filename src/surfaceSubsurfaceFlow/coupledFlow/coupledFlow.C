@@ -277,7 +277,14 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh)
     }
 
     unknownsOld_ = unknowns_;
+
+    // Fluxes of the initial state, from which the lagging parts begin
     setStates();
+    if (soil_)
+    {
+        soil_->beginStep();
+    }
+    assemble(false);
     setFields();
 }
 

@@ -80,7 +80,7 @@ void Foam::coupledFlow::assemble(const bool fallback)
 
 Foam::scalar Foam::coupledFlow::residualLimit() const
 {
-    // Round-off of the storages, of which the residual is a difference
+    // Round-off of storages and fluxes, of which the residual is a difference
     const scalar roundOff = 4*std::numeric_limits<scalar>::epsilon();
 
     scalar moved = 0;
@@ -353,8 +353,9 @@ void Foam::coupledFlow::stop(const label nCuts) const
     Pstream::scatterList(places);
 
     FatalErrorInFunction
-        << "No solution of the step from t = " << stepStart_ << " s: after "
-        << nCuts << " cuts to " << stepLength_ << " s the residual is still "
+        << "No solution of the step from t = " << stepStart_ << " s: "
+        << nCuts << " cuts of the step brought it to " << stepLength_
+        << " s, and the residual is still "
         << performance_.finalResidual << " m3, the limit "
         << performance_.limit << " m3. The largest part, " << overall
         << " m3, is in " << places[speaker]

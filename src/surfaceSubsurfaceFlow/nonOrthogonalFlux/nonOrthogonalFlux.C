@@ -56,6 +56,33 @@ void Foam::nonOrthogonalFlux::setFace
 }
 
 
+Foam::scalar Foam::nonOrthogonalFlux::limited
+(
+    const label facei,
+    const vector& velocity,
+    const scalar pointFlux,
+    const scalar KOwner,
+    const scalar KOther
+) const
+{
+    // Where the conductivities differ by more than this a front passes
+    const scalar front = 2;
+
+    const scalar correction = velocity & rest_[facei];
+    const scalar KLoser = correction > 0 ? KOwner : KOther;
+    const scalar KLargest = max(KOwner, KOther);
+
+    if (KLargest <= front*min(KOwner, KOther))
+    {
+        return correction*(KLoser/KLargest);
+    }
+
+    const scalar bound = mag(pointFlux);
+
+    return min(max(correction*(KLoser/KLargest), -bound), bound);
+}
+
+
 Foam::tmp<Foam::vectorField> Foam::nonOrthogonalFlux::cellVelocity
 (
     const scalarField& pointFlux
@@ -165,7 +192,12 @@ void Foam::nonOrthogonalFlux::setGeometry(const UList<bool>& open)
 }
 
 
-void Foam::nonOrthogonalFlux::update(const scalarField& pointFlux)
+void Foam::nonOrthogonalFlux::update
+(
+    const scalarField& pointFlux,
+    const scalarField& K,
+    const scalarField& boundaryK
+)
 {
     if (!active_)
     {
@@ -179,9 +211,14 @@ void Foam::nonOrthogonalFlux::update(const scalarField& pointFlux)
 
     forAll(neighbour, facei)
     {
-        correction_[facei] =
-            0.5*(velocity[owner[facei]] + velocity[neighbour[facei]])
-          & rest_[facei];
+        correction_[facei] = limited
+        (
+            facei,
+            0.5*(velocity[owner[facei]] + velocity[neighbour[facei]]),
+            pointFlux[facei],
+            K[owner[facei]],
+            K[neighbour[facei]]
+        );
     }
 
     vectorField otherVelocity;
@@ -192,12 +229,21 @@ void Foam::nonOrthogonalFlux::update(const scalarField& pointFlux)
         forAll(patch, i)
         {
             const label facei = patch.start() + i;
+            const label b = facei - mesh_.nInternalFaces();
+
             vector u(velocity[owner[facei]]);
             if (patch.coupled())
             {
-                u = 0.5*(u + otherVelocity[facei - mesh_.nInternalFaces()]);
+                u = 0.5*(u + otherVelocity[b]);
             }
-            correction_[facei] = u & rest_[facei];
+            correction_[facei] = limited
+            (
+                facei,
+                u,
+                pointFlux[facei],
+                K[owner[facei]],
+                boundaryK[b]
+            );
         }
     }
 }

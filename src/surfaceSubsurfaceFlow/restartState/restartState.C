@@ -22,6 +22,7 @@ License
 
 #include "restartState.H"
 #include "Time.H"
+#include "primitiveEntry.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -43,6 +44,18 @@ Foam::restartState::restartState(const Time& runTime)
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::restartState::set
+(
+    dictionary& dict,
+    const word& key,
+    const scalar value
+)
+{
+    // As a token: a value would be printed and read with writePrecision
+    dict.set(new primitiveEntry(key, token(value)));
+}
+
 
 bool Foam::restartState::writeData(Ostream& os) const
 {

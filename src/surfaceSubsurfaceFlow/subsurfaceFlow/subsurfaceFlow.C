@@ -111,7 +111,8 @@ Foam::subsurfaceFlow::subsurfaceFlow
     boundaryStates_(mesh.nFaces() - mesh.nInternalFaces()),
     storageOld_(mesh.nCells(), Zero),
     faceFlux_(mesh.nFaces(), Zero),
-    pointFlux_(mesh.nFaces(), Zero)
+    pointFlux_(mesh.nFaces(), Zero),
+    fluxScale_(0)
 {
     forAll(tables_, soili)
     {
@@ -182,6 +183,8 @@ void Foam::subsurfaceFlow::addMoved
         moved += V[celli]*mag(storage - storageOld_[celli]);
         total += V[celli]*storage;
     }
+
+    total += dt*fluxScale_;
 
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {

@@ -56,20 +56,22 @@ void Foam::subsurfaceFlow::assembleInternal
     const labelList& neighbour = mesh_.faceNeighbour();
     const scalarField& correction = correction_.correction();
 
+    fluxScale_ = 0;
+
     forAll(neighbour, facei)
     {
+        const soilTable::state& first = cellStates_[owner[facei]];
+        const soilTable::state& second = cellStates_[neighbour[facei]];
         const richardsFlux::flux f
         (
-            flux
-            (
-                connections_[facei],
-                cellStates_[owner[facei]],
-                cellStates_[neighbour[facei]]
-            )
+            flux(connections_[facei], first, second)
         );
 
         pointFlux_[facei] = f.value;
         faceFlux_[facei] = f.value + correction[facei];
+        fluxScale_ +=
+            mag(f.dFirst*first.head/first.dHead)
+          + mag(f.dSecond*second.head/second.dHead);
 
         matrix.addFlux
         (
@@ -306,7 +308,35 @@ void Foam::subsurfaceFlow::setGround(const label facei, const scalar unknown)
 
 void Foam::subsurfaceFlow::renewCorrection()
 {
-    correction_.update(pointFlux_);
+    if (!correction_.active())
+    {
+        return;
+    }
+
+    scalarField K(cellStates_.size());
+    forAll(K, celli)
+    {
+        K[celli] = cellStates_[celli].K;
+    }
+
+    // A face through which no head drives the flow has the cell's own
+    scalarField boundaryK(boundaryStates_.size());
+    forAll(conditions_, patchi)
+    {
+        const polyPatch& patch = mesh_.boundaryMesh()[patchi];
+        const bool known = patch.coupled() || open(conditions_[patchi]);
+
+        forAll(patch, i)
+        {
+            const label facei = patch.start() + i;
+            boundaryK[facei - mesh_.nInternalFaces()] =
+                known
+              ? boundaryState(facei).K
+              : K[mesh_.faceOwner()[facei]];
+        }
+    }
+
+    correction_.update(pointFlux_, K, boundaryK);
 }
 
 

@@ -22,6 +22,7 @@ License
 
 #include "timeStepControl.H"
 #include "readChecked.H"
+#include "restartState.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -60,8 +61,8 @@ Foam::scalar Foam::timeStepControl::fitted(const scalar length) const
 void Foam::timeStepControl::keep()
 {
     dictionary history;
-    history.set("proposal", proposal_);
-    history.set("previous", previous_);
+    restartState::set(history, "proposal", proposal_);
+    restartState::set(history, "previous", previous_);
     history.set("fresh", fresh_);
 
     state_.set("timeStep", history);

@@ -21,18 +21,19 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "waterBalance.H"
+#include "restartState.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::waterBalance::keep()
 {
     dictionary balance;
-    balance.set("initialStorage", initialStorage_);
-    balance.set("rain", sum_.rain);
-    balance.set("infiltration", sum_.infiltration);
-    balance.set("surfaceOutflow", sum_.surfaceOutflow);
-    balance.set("subsurfaceInflow", sum_.subsurfaceInflow);
-    balance.set("subsurfaceOutflow", sum_.subsurfaceOutflow);
+    restartState::set(balance, "initialStorage", initialStorage_);
+    restartState::set(balance, "rain", sum_.rain);
+    restartState::set(balance, "infiltration", sum_.infiltration);
+    restartState::set(balance, "surfaceOutflow", sum_.surfaceOutflow);
+    restartState::set(balance, "subsurfaceInflow", sum_.subsurfaceInflow);
+    restartState::set(balance, "subsurfaceOutflow", sum_.subsurfaceOutflow);
 
     state_.set("waterBalance", balance);
 }
