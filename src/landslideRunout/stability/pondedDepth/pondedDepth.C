@@ -22,6 +22,7 @@ License
 
 #include "pondedDepth.H"
 #include "areaFields.H"
+#include "fvMesh.H"
 #include "localIOdictionary.H"
 #include "Time.H"
 
