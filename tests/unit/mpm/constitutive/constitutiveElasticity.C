@@ -196,7 +196,10 @@ TEST_CASE("Principal values: as Eigen's, also repeated and on the axes; and "
     const PrincipalStress<3, double> p(nothing);
     CHECK(std::fabs(p.first) < 1e-90);
     CHECK(std::fabs(p.third) < 1e-90);
-    CHECK(difference(p.withValues(5, 5, 5), SpaceStress{5, 5, 5, 0, 0, 0}) == 0);
+    CHECK
+    (
+        difference(p.withValues(5, 5, 5), SpaceStress{5, 5, 5, 0, 0, 0}) == 0
+    );
 }
 
 

@@ -138,7 +138,8 @@ TEST_CASE("Element: extension after isotropic compression yields on the "
     CHECK(s.yy == doctest::Approx(axialStress).epsilon(tolerance));
     CHECK
     (
-        s.xx == doctest::Approx(0.5*(threeMean - axialStress)).epsilon(tolerance)
+        s.xx
+     == doctest::Approx(0.5*(threeMean - axialStress)).epsilon(tolerance)
     );
     CHECK(done.region == yieldRegion::extensionEdge);
 }

@@ -154,6 +154,43 @@ bool checkReturn
     return true;
 }
 
+//- Put one stress into a lane
+void setLane(SymmetricTensor<2, Lanes>& four, const int j, const PlaneStress& s)
+{
+    setNumber(four.xx, j, s.xx);
+    setNumber(four.yy, j, s.yy);
+    setNumber(four.zz, j, s.zz);
+    setNumber(four.xy, j, s.xy);
+}
+
+
+void setLane(SymmetricTensor<3, Lanes>& four, const int j, const SpaceStress& s)
+{
+    setNumber(four.xx, j, s.xx);
+    setNumber(four.yy, j, s.yy);
+    setNumber(four.zz, j, s.zz);
+    setNumber(four.xy, j, s.xy);
+    setNumber(four.yz, j, s.yz);
+    setNumber(four.zx, j, s.zx);
+}
+
+
+//- The stress in a lane
+PlaneStress lane(const SymmetricTensor<2, Lanes>& four, const int j)
+{
+    return {four.xx[j], four.yy[j], four.zz[j], four.xy[j]};
+}
+
+
+SpaceStress lane(const SymmetricTensor<3, Lanes>& four, const int j)
+{
+    return
+    {
+        four.xx[j], four.yy[j], four.zz[j],
+        four.xy[j], four.yz[j], four.zx[j]
+    };
+}
+
 } // End anonymous namespace
 
 
@@ -295,8 +332,18 @@ TEST_CASE("Return: the plane-strain check without roots agrees with the "
 }
 
 
-TEST_CASE("Return: four lanes do what one does, elastic ones untouched")
+TEST_CASE_TEMPLATE
+(
+    "Return: four lanes do what one does, elastic ones untouched",
+    Dimension,
+    std::integral_constant<int, 2>,
+    std::integral_constant<int, 3>
+)
 {
+    constexpr int Dim = Dimension::value;
+    typedef SymmetricTensor<Dim, double> One;
+    typedef SymmetricTensor<Dim, Lanes> Four;
+
     Random random(15);
     const MohrCoulomb<double> mixed[laneCount] =
     {
@@ -310,23 +357,23 @@ TEST_CASE("Return: four lanes do what one does, elastic ones untouched")
 
     for (int i = 0; i < 2000; ++i)
     {
-        SpaceStress one[laneCount];
-        SymmetricTensor<3, Lanes> four;
+        One one[laneCount];
+        Four four;
         Lanes cohesion(0.0), limit(0.0);
         for (int j = 0; j < laneCount; ++j)
         {
             // Elastic, isotropic and yielding points beside each other
-            one[j] = random.space
-            (
-                random(-3, 0.5)*size,
-                (i + j) % 3 == 0 ? 0.0 : size
-            );
-            setNumber(four.xx, j, one[j].xx);
-            setNumber(four.yy, j, one[j].yy);
-            setNumber(four.zz, j, one[j].zz);
-            setNumber(four.xy, j, one[j].xy);
-            setNumber(four.yz, j, one[j].yz);
-            setNumber(four.zx, j, one[j].zx);
+            const double mean = random(-3, 0.5)*size;
+            const double off = (i + j) % 3 == 0 ? 0.0 : size;
+            if constexpr (Dim == 2)
+            {
+                one[j] = random.plane(mean, off);
+            }
+            else
+            {
+                one[j] = random.space(mean, off);
+            }
+            setLane(four, j, one[j]);
             setNumber(cohesion, j, random(0, 1e4));
             setNumber(limit, j, random(-1e4, 1e4));
         }
@@ -342,12 +389,7 @@ TEST_CASE("Return: four lanes do what one does, elastic ones untouched")
                 cut
               ? mixed[j].returnStress(one[j], cohesion[j], limit[j])
               : mixed[j].returnStress(one[j], cohesion[j]);
-            const SpaceStress ofFour
-            {
-                four.xx[j], four.yy[j], four.zz[j],
-                four.xy[j], four.yz[j], four.zx[j]
-            };
-            CHECK(difference(ofFour, one[j]) < tolerance);
+            CHECK(difference(lane(four, j), one[j]) < tolerance);
             CHECK
             (
                 std::fabs(done.equivalentStrain[j] - alone.equivalentStrain)
