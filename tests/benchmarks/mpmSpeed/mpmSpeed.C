@@ -1,0 +1,275 @@
+/*---------------------------------------------------------------------------*\
+  slideFoam | from rain to runout
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with slideFoam.  If not, see <https://www.gnu.org/licenses/>.
+
+Application
+    mpmSpeed
+
+Description
+    Particle-steps a second of the material point engine on a column that
+    collapses: 1 m x 1 m (x 1 m), E 1 MPa, nu 0.3, rho 2000 kg/m3, phi 30
+    degrees, 4 points a cell in a section and 8 in three dimensions, rough
+    base, roller behind. Measured in the middle of the collapse (0.15 s after
+    the start, when about a third of the points yields) over whole steps: sorts,
+    checks and all.
+
+    Writes a table with one row for each dimension, number of points and
+    number of threads. Each number is the best of several windows of time, by
+    the wall clock, so other work on the machine lowers it: the load is noted.
+
+Usage
+    mpmSpeed <file.csv> [<largest number of points> [<seconds a window>]]
+
+\*---------------------------------------------------------------------------*/
+
+#include "mpmRun.H"
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <iostream>
+#include <thread>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+constexpr int windows = 5;
+constexpr double startOfWindows = 0.15;
+
+typedef std::chrono::steady_clock Clock;
+
+double secondsSince(const Clock::time_point& start)
+{
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+
+mpm::WallSettings wall
+(
+    const char* name,
+    const int direction,
+    const char* condition
+)
+{
+    mpm::WallSettings w;
+    w.name = name;
+    w.normal = {{0, 0, 0}};
+    w.normal[direction] = 1;
+    w.condition = condition;
+    return w;
+}
+
+
+std::unique_ptr<mpm::Run> column
+(
+    const int dim,
+    const int cells,
+    const int threads
+)
+{
+    mpm::Settings settings;
+    settings.cellSize = 1.0/cells;
+    settings.gravity[dim - 1] = -9.81;
+    settings.threads = threads;
+
+    mpm::PointData data;
+    const double spacing = 0.5/cells;
+    const int depth = dim == 3 ? 2*cells : 1;
+    for (int k = 0; k < depth; ++k)
+    {
+        for (int j = 0; j < 2*cells; ++j)
+        {
+            for (int i = 0; i < 2*cells; ++i)
+            {
+                data.position.push_back
+                ({{
+                    (i + 0.5)*spacing,
+                    (j + 0.5)*spacing,
+                    dim == 3 ? (k + 0.5)*spacing : 0
+                }});
+            }
+        }
+    }
+    const std::size_t n = data.position.size();
+    data.volume.assign(n, std::pow(spacing, dim));
+    data.rho.assign(n, 2000);
+    data.zone.assign(n, 0);
+    data.frictionAngle.assign(n, 30);
+
+    mpm::Material soil;
+    soil.E = 1e6;
+    soil.nu = 0.3;
+
+    std::vector<mpm::WallSettings> walls
+    {
+        wall("base", dim - 1, "rough"), wall("back", 0, "roller")
+    };
+    if (dim == 3)
+    {
+        walls.push_back(wall("side", 1, "roller"));
+    }
+    return mpm::Run::New(dim, settings, data, {soil}, walls);
+}
+
+
+void measure
+(
+    std::ostream& table,
+    const int dim,
+    const int cells,
+    const int threads,
+    const double seconds
+)
+{
+    const auto run = column(dim, cells, threads);
+    run->advance(startOfWindows);
+
+    double best = 0, yielding = 0;
+    long sorts = 0;
+    for (int window = 0; window < windows; ++window)
+    {
+        const long first = run->stepNumber();
+        const long sortsBefore = run->diagnostics().sorts;
+        const Clock::time_point start = Clock::now();
+        double elapsed = 0;
+        while (elapsed < seconds)
+        {
+            run->step(1);
+            elapsed = secondsSince(start);
+        }
+
+        const mpm::Diagnostics now = run->diagnostics();
+        const double rate =
+            double(run->nPoints())*double(run->stepNumber() - first)
+           /elapsed/1e6;
+        if (rate > best)
+        {
+            best = rate;
+            sorts = now.sorts - sortsBefore;
+            yielding = double(now.yieldingPoints)/double(run->nPoints());
+        }
+    }
+
+    const auto row = [&](std::ostream& os)
+    {
+        os  << dim << ',' << run->nPoints() << ',' << (dim == 2 ? 4 : 8)
+            << ',' << threads << ',' << best << ',' << yielding << ','
+            << sorts << ',' << run->diagnostics().bytesPerPoint << std::endl;
+    };
+    row(table);
+    row(std::cout);
+}
+
+
+//- Programs that wanted to run in the last minute, where the system tells it
+std::string load()
+{
+    std::ifstream info("/proc/loadavg");
+    std::string perMinute("unknown");
+    info >> perMinute;
+    return perMinute;
+}
+
+
+//- Processor's name, where the system tells it
+std::string machine()
+{
+    std::ifstream info("/proc/cpuinfo");
+    std::string line;
+    while (std::getline(info, line))
+    {
+        const std::size_t colon = line.find(':');
+        if (line.compare(0, 10, "model name") == 0 && colon < line.size() - 2)
+        {
+            return line.substr(colon + 2);
+        }
+    }
+    return "unknown processor";
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * Main Program  * * * * * * * * * * * * * * * //
+
+int main(int argc, char* argv[])
+{
+    if (argc < 2)
+    {
+        std::cerr
+            << "Usage: mpmSpeed <file.csv> [<largest number of points> "
+            << "[<seconds a window>]]" << std::endl;
+        return 1;
+    }
+    const double mostPoints = argc > 2 ? std::atof(argv[2]) : 1.1e6;
+    const double seconds = argc > 3 ? std::atof(argv[3]) : 1;
+    const int mostThreads =
+        std::max(1, int(std::thread::hardware_concurrency()));
+
+    std::ofstream table(argv[1]);
+    if (!table)
+    {
+        std::cerr << "mpmSpeed: cannot write " << argv[1] << std::endl;
+        return 1;
+    }
+
+    const std::time_t now = std::time(nullptr);
+    char date[32];
+    std::strftime(date, sizeof(date), "%Y-%m-%d", std::gmtime(&now));
+    table
+        << "# " << machine() << ", " << mostThreads << " processors\n"
+        << "# " << date << ", load at the start " << load() << "\n"
+        << "dim,points,pointsPerCell,threads,Mps,yieldingFraction,sorts,"
+        << "bytesPerPoint" << std::endl;
+
+    try
+    {
+        for (const int dim : {2, 3})
+        {
+            // 10k, 100k, 1M points
+            for (const int cells : dim == 2
+                ? std::vector<int>{50, 158, 500}
+                : std::vector<int>{11, 24, 50})
+            {
+                if (std::pow(2.0*cells, dim) > mostPoints)
+                {
+                    continue;
+                }
+                for (int threads = 1; threads <= mostThreads; threads *= 2)
+                {
+                    measure(table, dim, cells, threads, seconds);
+                }
+            }
+        }
+    }
+    catch (const std::exception& e)
+    {
+        std::cerr << "mpmSpeed: " << e.what() << std::endl;
+        return 1;
+    }
+    return table ? 0 : 1;
+}
+
+
+// ************************************************************************* //
