@@ -180,24 +180,71 @@ Foam::autoPtr<Foam::mappingSection> Foam::slopeSafety::readSection() const
 }
 
 
+void Foam::slopeSafety::readLimits
+(
+    const word& key,
+    scalar& low,
+    scalar& high
+) const
+{
+    if (!dict_.found(key))
+    {
+        return;
+    }
+
+    const auto limits(dict_.get<Pair<scalar>>(key));
+
+    if (limits.first() >= limits.second())
+    {
+        FatalIOErrorInFunction(dict_)
+            << key << ' ' << limits
+            << ": the first limit must be below the second"
+            << exit(FatalIOError);
+    }
+
+    low = limits.first();
+    high = limits.second();
+}
+
+
+void Foam::slopeSafety::checkLimits
+(
+    const scalar xMin,
+    const scalar xMax
+) const
+{
+    for (const word& key : {"entryLimits", "exitLimits"})
+    {
+        scalar low = xMin;
+        scalar high = xMax;
+        readLimits(key, low, high);
+
+        if (low >= xMax || high <= xMin)
+        {
+            FatalIOErrorInFunction(dict_)
+                << key << " (" << low << ' ' << high << ") lie outside of the"
+                << " section, whose ground goes from x = " << xMin << " to "
+                << xMax
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
 slopeStability::searchSettings Foam::slopeSafety::searchSettings() const
 {
     slopeStability::searchSettings settings;
 
-    dict_.readIfPresent("minDepth", settings.minDepth);
-
-    if (dict_.found("entryLimits"))
-    {
-        const auto limits(dict_.get<Pair<scalar>>("entryLimits"));
-        settings.entryMin = limits.first();
-        settings.entryMax = limits.second();
-    }
-    if (dict_.found("exitLimits"))
-    {
-        const auto limits(dict_.get<Pair<scalar>>("exitLimits"));
-        settings.exitMin = limits.first();
-        settings.exitMax = limits.second();
-    }
+    settings.minDepth = readCheckedOrDefault
+    (
+        dict_,
+        "minDepth",
+        settings.minDepth,
+        [](const scalar depth){ return depth >= 0; },
+        ">= 0 m"
+    );
+    readLimits("entryLimits", settings.entryMin, settings.entryMax);
+    readLimits("exitLimits", settings.exitMin, settings.exitMax);
 
     const dictionary& sampling = dict_.subOrEmptyDict("sampling");
     checkKeys(sampling, {"spacing", "nLevels", "nSlices"});

@@ -248,6 +248,8 @@ Foam::slopeSafety::makeSection() const
     const polyline ground(toPolyline(outline.ground(), "ground"));
     polyline base(toPolyline(outline.base(), "base"));
 
+    checkLimits(ground.xMin(), ground.xMax());
+
     // The nodes
     const dictionary& sampling = dict_.subOrEmptyDict("sampling");
     const scalar length = ground.xMax() - ground.xMin();
