@@ -285,28 +285,38 @@ std::string Foam::slopeSafety::row
 
 void Foam::slopeSafety::report(const slopeStability::slipResult& result) const
 {
-    Info<< "    " << result.method.c_str() << ": ";
+    std::ostringstream os;
+    os  << "    " << result.method << ": ";
 
     if (result.found)
     {
-        Info<< "FOS = " << result.FOS
-            << ", x = " << result.entry.x() << " to " << result.exit.x()
-            << ", depth = " << result.depth
-            << ", centre = (" << result.centre.x() << ' '
-            << result.centre.y() << "), radius = " << result.radius << nl;
-        return;
+        // Rounding at a bend of the ground is no length
+        const auto length = [](const scalar x)
+        {
+            return mag(x) < 1e-6 ? 0 : x;
+        };
+
+        os  << std::setprecision(5) << "FOS = " << result.FOS
+            << ", from (" << length(result.entry.x()) << ' '
+            << length(result.entry.y()) << ") to ("
+            << length(result.exit.x()) << ' ' << length(result.exit.y())
+            << "), depth = " << result.depth << ", radius = "
+            << result.radius;
+    }
+    else
+    {
+        os  << "no admissible slip surface";
+        if (!result.evaluated)
+        {
+            os  << ": no circle of the minimum depth within the limits";
+        }
+        for (const auto& reason : result.refused)
+        {
+            os  << ", " << reason.first << ' ' << reason.second;
+        }
     }
 
-    Info<< "no admissible slip surface";
-    if (!result.evaluated)
-    {
-        Info<< ": no circle of the minimum depth within the limits";
-    }
-    for (const auto& reason : result.refused)
-    {
-        Info<< ", " << reason.first.c_str() << " " << label(reason.second);
-    }
-    Info<< nl;
+    Info<< os.str().c_str() << nl;
 }
 
 
