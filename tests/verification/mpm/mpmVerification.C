@@ -50,6 +50,7 @@ int main(int argc, char* argv[])
         {"barVibration", barVibration},
         {"blockOnIncline", blockOnIncline},
         {"twoDisks", twoDisks},
+        {"spinningBody", spinningBody},
         {"selfWeightColumn", selfWeightColumn},
         {"infiniteSlope", infiniteSlope},
         {"columnCollapse", columnCollapse},
