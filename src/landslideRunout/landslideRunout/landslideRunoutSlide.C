@@ -61,7 +61,7 @@ void Foam::landslideRunout::start
         "restoring a sliding state",
         [&]()
         {
-            restored = state.restore(run, record);
+            restored = state.restore(run, control_, record);
         }
     );
 
@@ -151,14 +151,8 @@ Foam::landslideRunout::outcome Foam::landslideRunout::slide
         mpmChecked(properties_, "writing the slide", write);
     }
 
-    while
-    (
-        state.row() < control_.lastRow()
-     && !control_.isOver(state.timeAtRest())
-    )
+    while (!control_.isOver(state.row(), state.atRest()))
     {
-        const scalar before = run->time();
-
         ++state.row();
 
         mpmChecked
@@ -172,19 +166,13 @@ Foam::landslideRunout::outcome Foam::landslideRunout::slide
             }
         );
 
-        state.timeAtRest() =
-        (
-            d.activePoints == 0
-          ? state.timeAtRest() + run->time() - before
-          : 0
-        );
-
+        state.lookForRest(control_, d, verdict_.stableBelow());
         record.add(d);
 
         if
         (
             control_.writesPoints(state.row())
-         || control_.isOver(state.timeAtRest())
+         || control_.isOver(state.row(), state.atRest())
         )
         {
             Info<< "    Sliding time = " << run->time()
@@ -200,7 +188,7 @@ Foam::landslideRunout::outcome Foam::landslideRunout::slide
 
     Info<< "    " << label(run->stepNumber()) << " steps to "
         << run->time() << " s of sliding"
-        << (control_.isOver(state.timeAtRest()) ? ", at rest" : "") << nl
+        << (state.atRest() ? ", at rest" : "") << nl
         << "        largest plastic strain " << d.maxPlasticStrain
         << ", moved points " << label(d.movedPoints) << nl
         << "        put back: " << label(d.clampedByWalls)

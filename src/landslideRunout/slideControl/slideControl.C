@@ -65,14 +65,15 @@ Foam::slideControl::slideControl(const dictionary& dict)
     writeInterval_(0),
     pointInterval_(0),
     stopAtRest_(dict.getOrDefault("stopAtRest", true)),
-    restDuration_(0)
+    restDuration_(0),
+    restGrowth_(0)
 {
     checkKeys
     (
         dict,
         {
             "run", "factorOfSafety", "times", "endTime", "writeInterval",
-            "pointInterval", "stopAtRest", "restDuration"
+            "pointInterval", "stopAtRest", "restDuration", "restGrowth"
         }
     );
 
@@ -99,9 +100,10 @@ Foam::slideControl::slideControl(const dictionary& dict)
         ">= writeInterval s"
     );
 
-    // Soil that is let go with a factor of safety of 0.999 is faster than
-    // 1e-3 m/s long before
+    // Soil that is let go with a factor of safety of 0.999 moves 2 mm in the
+    // first second
     const scalar defaultRestDuration = 1;
+    const scalar defaultRestGrowth = 1e-3;
     restDuration_ = readCheckedOrDefault
     (
         dict,
@@ -109,6 +111,14 @@ Foam::slideControl::slideControl(const dictionary& dict)
         defaultRestDuration,
         positive,
         "> 0 s"
+    );
+    restGrowth_ = readCheckedOrDefault
+    (
+        dict,
+        "restGrowth",
+        defaultRestGrowth,
+        positive,
+        "> 0"
     );
 }
 
@@ -149,6 +159,14 @@ Foam::slideControl::decision Foam::slideControl::decide
 }
 
 
+bool Foam::slideControl::looksForRest(const scalar timeSinceLast) const
+{
+    const scalar rounding = 1e-9;
+
+    return stopAtRest_ && timeSinceLast >= restDuration_*(1 - rounding);
+}
+
+
 Foam::scalar Foam::slideControl::rowTime(const label n) const
 {
     return min(n*writeInterval_, endTime_);
@@ -162,6 +180,14 @@ Foam::label Foam::slideControl::lastRow() const
     const scalar rounding = 1e-9;
 
     return std::ceil(endTime_/writeInterval_*(1 - rounding));
+}
+
+
+Foam::label Foam::slideControl::rowAt(const scalar time) const
+{
+    const scalar rounding = 1e-9;
+
+    return std::floor(time/writeInterval_*(1 + rounding));
 }
 
 

@@ -28,6 +28,7 @@ License
 #include "OSspecific.H"
 #include "dictionary.H"
 #include "outputFolder.H"
+#include "slideControl.H"
 #include "slideRecord.H"
 #include "mpmRun.H"
 
@@ -79,13 +80,20 @@ Foam::slideState::slideState
     folder_(isDir(timeFolder) ? timeFolder/name : fileName()),
     digest_(digest),
     row_(0),
-    timeAtRest_(0)
+    lookTime_(0),
+    lookDisplacement_(0),
+    atRest_(false)
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::slideState::restore(mpm::Run& run, const slideRecord& record)
+bool Foam::slideState::restore
+(
+    mpm::Run& run,
+    const slideControl& control,
+    const slideRecord& record
+)
 {
     if (!kept() || !isDir(folder_))
     {
@@ -97,7 +105,12 @@ bool Foam::slideState::restore(mpm::Run& run, const slideRecord& record)
         IFstream is(folder(time)/"state");
         const dictionary dict(is);
 
-        if (dict.get<word>("digest") != digest_ || !record.reaches(time))
+        if
+        (
+            dict.get<word>("digest") != digest_
+         || time > timeTable::rounded(control.endTime())
+         || !record.reaches(time)
+        )
         {
             continue;
         }
@@ -105,13 +118,36 @@ bool Foam::slideState::restore(mpm::Run& run, const slideRecord& record)
         std::ifstream runStream(folder(time)/"run", std::ios::binary);
         run.restore(runStream);
 
-        row_ = dict.get<label>("row");
-        timeAtRest_ = dict.get<scalar>("timeAtRest");
+        row_ = control.rowAt(run.time());
+        lookTime_ = dict.get<scalar>("lookTime");
+        lookDisplacement_ = dict.get<scalar>("lookDisplacement");
+        atRest_ = dict.get<bool>("atRest");
 
         return true;
     }
 
     return false;
+}
+
+
+void Foam::slideState::lookForRest
+(
+    const slideControl& control,
+    const mpm::Diagnostics& now,
+    const scalar leastDisplacement
+)
+{
+    if (control.looksForRest(now.time - lookTime_))
+    {
+        atRest_ = control.atRest
+        (
+            lookDisplacement_,
+            now.maxDisplacement,
+            leastDisplacement
+        );
+        lookTime_ = now.time;
+        lookDisplacement_ = now.maxDisplacement;
+    }
 }
 
 
@@ -140,14 +176,15 @@ void Foam::slideState::save(const mpm::Run& run) const
         }
     }
 
-    dictionary dict;
-    dict.add("digest", digest_);
-    dict.add("row", row_);
+    {
+        OFstream os(unfinished/"state");
+        os.precision(std::numeric_limits<scalar>::max_digits10);
 
-    OFstream os(unfinished/"state");
-    os.precision(std::numeric_limits<scalar>::max_digits10);
-    dict.write(os, false);
-    os.writeEntry("timeAtRest", timeAtRest_);
+        os.writeEntry("digest", digest_);
+        os.writeEntry("lookTime", lookTime_);
+        os.writeEntry("lookDisplacement", lookDisplacement_);
+        os.writeEntry("atRest", atRest_);
+    }
 
     replaceByComplete(unfinished, complete);
 }
