@@ -98,7 +98,12 @@ bool Foam::functionObjects::landslideRunoutFunctionObject::read
     fvMeshFunctionObject::read(dict);
 
     runout_.reset(new landslideRunout(name(), time_, &mesh_, dict));
-    atOutputTimes_ = !postProcess && !dict.found("executeControl");
+
+    // An executeControl alone leaves writeControl at its default, every step,
+    // and OpenFOAM executes before it writes
+    const word control(dict.getOrDefault<word>("executeControl", "writeTime"));
+    atOutputTimes_ =
+        !postProcess && (control == "writeTime" || control == "outputTime");
 
     return true;
 }

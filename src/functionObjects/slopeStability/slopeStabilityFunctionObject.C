@@ -42,6 +42,23 @@ namespace functionObjects
 }
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::functionObjects::slopeStabilityFunctionObject::search()
+{
+    const std::optional<scalar> factorOfSafety
+    (
+        safety_->execute(time_.timeName(time_.startTime().value()))
+    );
+
+    if (factorOfSafety)
+    {
+        setResult("factorOfSafety", *factorOfSafety);
+        setResult("factorOfSafetyTime", time_.value());
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * * //
 
 Foam::functionObjects::slopeStabilityFunctionObject::
@@ -53,14 +70,15 @@ slopeStabilityFunctionObject
 )
 :
     fvMeshFunctionObject(name, runTime, dict),
-    safety_(nullptr)
+    safety_(nullptr),
+    atOutputTimes_(true)
 {
     read(dict);
 
     // A solver calls execute() after its first step only
     if (!postProcess && dict.getOrDefault("executeAtStart", true))
     {
-        execute();
+        search();
     }
 }
 
@@ -76,21 +94,21 @@ bool Foam::functionObjects::slopeStabilityFunctionObject::read
 
     safety_.reset(new slopeSafety(name(), mesh_, dict));
 
+    // An executeControl alone leaves writeControl at its default, every step,
+    // and OpenFOAM executes before it writes
+    const word control(dict.getOrDefault<word>("executeControl", "writeTime"));
+    atOutputTimes_ =
+        !postProcess && (control == "writeTime" || control == "outputTime");
+
     return true;
 }
 
 
 bool Foam::functionObjects::slopeStabilityFunctionObject::execute()
 {
-    const std::optional<scalar> factorOfSafety
-    (
-        safety_->execute(time_.timeName(time_.startTime().value()))
-    );
-
-    if (factorOfSafety)
+    if (!atOutputTimes_ || time_.writeTime())
     {
-        setResult("factorOfSafety", *factorOfSafety);
-        setResult("factorOfSafetyTime", time_.value());
+        search();
     }
 
     return true;
