@@ -510,7 +510,8 @@ void mpm::GenericCycle<Dim, Shape>::move
             report.speed2 = std::max(report.speed2, speed2);
             report.kineticEnergy += 0.5*cloud.mass[p]*speed2;
 
-            if (settlePoint<Dim, Shape>(state, block, p, report))
+            project(state, block, p, report);
+            if (belongs<Dim, Shape>(state, block, p, report))
             {
                 block.points[kept++] = p;
             }

@@ -271,7 +271,7 @@ void mpm::gatherAPIC
             leaves |= ~((place >= shift) & (place < end));
         }
         speed2 = square > speed2 ? square : speed2;
-        const bool settled = open && !any(leaves);
+        const bool allStay = !any(leaves);
 
         for (int l = 0; l < batch.count; ++l)
         {
@@ -289,10 +289,12 @@ void mpm::gatherAPIC
             }
             report.kineticEnergy += 0.5*cloud.mass[p]*square[l];
 
+            const bool moved = !open && project(state, block, p, report);
+            const bool stays = !moved && (allStay || !leaves[l]);
             if
             (
-                settled
-             || settlePoint<Dim, QuadraticBSpline>(state, block, p, report)
+                stays
+             || belongs<Dim, QuadraticBSpline>(state, block, p, report)
             )
             {
                 list[kept++] = p;
