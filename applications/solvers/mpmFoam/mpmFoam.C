@@ -86,7 +86,10 @@ int main(int argc, char *argv[])
     for
     (
         const word& key :
-        wordList({"mpmProperties", "soilProperties", "psi", "theta", "stability"})
+        wordList
+        ({
+            "mpmProperties", "soilProperties", "psi", "theta", "stability"
+        })
     )
     {
         if (args.found(key))

@@ -122,7 +122,10 @@ Foam::landslideRunout::outcome Foam::landslideRunout::slide
     );
 
     // Sliding states of other labels than the usual one get a folder each
-    const word stateName(name_ == typeName ? word("mpm") : word("mpm_" + name_));
+    const word stateName
+    (
+        name_ == typeName ? word("mpm") : word("mpm_" + name_)
+    );
 
     slideState state(time_.timePath(), stateName, digest(data, walls));
 

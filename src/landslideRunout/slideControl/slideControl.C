@@ -193,7 +193,8 @@ Foam::label Foam::slideControl::rowAt(const scalar time) const
 
 bool Foam::slideControl::writesPoints(const label n) const
 {
-    const label every = max(label(1), label(pointInterval_/writeInterval_ + 0.5));
+    const label every =
+        max(label(1), label(pointInterval_/writeInterval_ + 0.5));
 
     return n % every == 0 || n == lastRow();
 }

@@ -205,8 +205,12 @@ Foam::scalar Foam::soilMechanics::cohesionIntercept
     const scalar porePressure
 ) const
 {
-    return
-        localShearStrength::cohesionIntercept(cohesion_, porePressure, tanPhi());
+    return localShearStrength::cohesionIntercept
+    (
+        cohesion_,
+        porePressure,
+        tanPhi()
+    );
 }
 
 

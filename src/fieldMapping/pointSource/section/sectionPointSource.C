@@ -131,7 +131,11 @@ Foam::pointField Foam::pointSources::sectionPointSource::points
     (
         lattice
         (
-            Pair<vector2D>(vector2D(x.min(), y.min()), vector2D(x.max(), y.max())),
+            Pair<vector2D>
+            (
+                vector2D(x.min(), y.min()),
+                vector2D(x.max(), y.max())
+            ),
             spacing
         )
     );

@@ -76,9 +76,11 @@ void Foam::slideWalls::terrainSlideWall::append
 
     if (frame.dimension() == 3)
     {
-        const auto triangles(dict().get<List<FixedList<label, 3>>>("triangles"));
+        typedef FixedList<label, 3> corners;
 
-        for (const FixedList<label, 3>& t : triangles)
+        const List<corners> triangles(dict().get<List<corners>>("triangles"));
+
+        for (const corners& t : triangles)
         {
             wall.triangles.push_back({{int(t[0]), int(t[1]), int(t[2])}});
         }
