@@ -22,6 +22,7 @@ License
 
 #include "landslideRunoutFunctionObject.H"
 #include "addToRunTimeSelectionTable.H"
+#include "errorsAreFatal.H"
 #include "fvMesh.H"
 #include "Time.H"
 
@@ -78,6 +79,8 @@ landslideRunoutFunctionObject
     runout_(nullptr),
     atOutputTimes_(true)
 {
+    const errorsAreFatal scope;
+
     read(dict);
 
     // A solver calls execute() after its first step only

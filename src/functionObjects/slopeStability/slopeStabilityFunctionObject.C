@@ -22,6 +22,7 @@ License
 
 #include "slopeStabilityFunctionObject.H"
 #include "addToRunTimeSelectionTable.H"
+#include "errorsAreFatal.H"
 #include "fvMesh.H"
 #include "Time.H"
 
@@ -73,6 +74,8 @@ slopeStabilityFunctionObject
     safety_(nullptr),
     atOutputTimes_(true)
 {
+    const errorsAreFatal scope;
+
     read(dict);
 
     // A solver calls execute() after its first step only

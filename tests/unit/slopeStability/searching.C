@@ -86,6 +86,8 @@ TEST_CASE("Entry and exit stay within their limits")
     CHECK(found.entry.x() <= -25);
     CHECK(found.exit.x() >= 2);
     CHECK(found.FOS > free);
+    CHECK(found.entryAtLimit);
+    CHECK(found.exitAtLimit);
 }
 
 TEST_CASE("No circle crosses the base")

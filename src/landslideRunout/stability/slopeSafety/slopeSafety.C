@@ -302,6 +302,13 @@ void Foam::slopeSafety::report(const slopeStability::slipResult& result) const
             << length(result.exit.x()) << ' ' << length(result.exit.y())
             << "), depth = " << result.depth << ", radius = "
             << result.radius;
+
+        if (result.entryAtLimit || result.exitAtLimit)
+        {
+            os  << " (" << (result.entryAtLimit ? "entry " : "")
+                << (result.exitAtLimit ? "exit " : "")
+                << "at the limit of the search)";
+        }
     }
     else
     {

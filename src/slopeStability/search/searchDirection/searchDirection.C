@@ -336,6 +336,15 @@ slopeStability::slipResult slopeStability::searchDirection::describe
     result.depth = family_.depth(arc);
     result.nSlices = settings_.nSlices;
 
+    const auto isAt = [this](const double x, const double limit)
+    {
+        return std::abs(x - limit) <= 1e-3*step_;
+    };
+    const double entryX = arc.entry().x();
+    const double exitX = arc.exit().x();
+    result.entryAtLimit = isAt(entryX, entryMin_) || isAt(entryX, entryMax_);
+    result.exitAtLimit = isAt(exitX, exitMin_) || isAt(exitX, exitMax_);
+
     // A surface that turns by less is a plane to double precision
     const double plane = 1e-7;
     result.radius = arc.halfAngle() > plane ? 1/arc.curvature() : 0;
