@@ -138,7 +138,7 @@ double acceleration
     using namespace verification;
 
     const double b = degree*slope.beta;
-    const double length = 40*slip;
+    const double length = 28*slip;
 
     mpm::Settings settings;
     settings.cellSize = slip/cells;
