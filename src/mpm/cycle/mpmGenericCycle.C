@@ -23,252 +23,9 @@ License
 
 #include "mpmGenericCycle.H"
 #include "mpmGridUpdate.H"
-#include "mpmShapeBatch.H"
-
-// * * * * * * * * * * * * * * Private Classes * * * * * * * * * * * * * * * //
-
-//- The nodes of each point of a batch, one by one
-template<int Dim, class Shape>
-class mpm::GenericCycle<Dim, Shape>::Stencil
-{
-    ShapeBatch<Dim, Shape> batch_;
-
-    //- Gradient weights in the direction of the derivative [1/m]
-    double g_[Dim][Shape::width][ShapeBatch<Dim, Shape>::size];
-
-    const double h_;
-    const bool affineGradient_;
-
-
-public:
-
-    //- For grids of this cell size
-    Stencil(const double h, const bool affineGradient)
-    :
-        h_(h),
-        affineGradient_(affineGradient)
-    {}
-
-    static constexpr int size = ShapeBatch<Dim, Shape>::size;
-
-    int count() const
-    {
-        return batch_.count;
-    }
-
-    const std::int32_t* points() const
-    {
-        return batch_.point;
-    }
-
-    void take
-    (
-        const std::vector<Vector<Dim>>& x,
-        const BlockGrid<Dim>& grid,
-        const typename BlockGrid<Dim>::Block& block,
-        const std::size_t i
-    )
-    {
-        batch_.take
-        (
-            x, grid, block, &block.points[i], block.points.size() - i
-        );
-        for (int d = 0; d < Dim; ++d)
-        {
-            for (int l = 0; l < size; ++l)
-            {
-                double g[Shape::width];
-                Shape::gradients(batch_.f[d][l], g);
-                for (int k = 0; k < Shape::width; ++k)
-                {
-                    // Second moment of the B-spline: 1/4 cell^2
-                    g_[d][k][l] =
-                        (affineGradient_ ? 4*batch_.wd[d][k][l] : g[k])/h_;
-                }
-            }
-        }
-    }
-
-    //- Call f(node of the patch, weight, gradient, distance) for the nodes of
-    //  point l
-    template<class Function>
-    void forNodes(const int l, const Function& f) const
-    {
-        constexpr int width = Shape::width;
-        constexpr int edge = BlockGrid<Dim>::patchEdge;
-        constexpr int depth = Dim == 2 ? 1 : width;
-
-        for (int z = 0; z < depth; ++z)
-        {
-            for (int y = 0; y < width; ++y)
-            {
-                for (int x = 0; x < width; ++x)
-                {
-                    const int at[3] = {x, y, z};
-                    double weight = 1;
-                    Vector<Dim> gradient, distance;
-                    for (int d = 0; d < Dim; ++d)
-                    {
-                        weight *= batch_.w[d][at[d]][l];
-                        distance[d] = h_*(at[d] - batch_.f[d][l]);
-                        gradient[d] = 1;
-                        for (int e = 0; e < Dim; ++e)
-                        {
-                            gradient[d] *=
-                                e == d
-                              ? g_[e][at[e]][l]
-                              : batch_.w[e][at[e]][l];
-                        }
-                    }
-                    f
-                    (
-                        batch_.node[l] + x + edge*(y + edge*z),
-                        weight,
-                        gradient,
-                        distance
-                    );
-                }
-            }
-        }
-    }
-};
-
-
-namespace mpm
-{
-namespace
-{
-
-//- Column d of a stress
-inline Vector<2> column(const Stress<2>& s, const int d)
-{
-    return d == 0 ? Vector<2>{{s[0], s[3]}} : Vector<2>{{s[3], s[1]}};
-}
-
-
-inline Vector<3> column(const Stress<3>& s, const int d)
-{
-    return
-        d == 0 ? Vector<3>{{s[0], s[3], s[5]}}
-      : d == 1 ? Vector<3>{{s[3], s[1], s[4]}}
-      : Vector<3>{{s[5], s[4], s[2]}};
-}
-
-} // End anonymous namespace
-} // End namespace mpm
-
+#include "mpmStencil.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-template<int Dim, class Shape>
-void mpm::GenericCycle<Dim, Shape>::scatterMomentum
-(
-    State<Dim>& state,
-    const std::size_t b
-) const
-{
-    const Block& block = state.grid[b];
-    const PointCloud<Dim>& cloud = state.cloud;
-    Node* patch = state.grid.patchOf(b);
-    std::fill_n(patch, BlockGrid<Dim>::nPatchNodes, Node{});
-
-    Stencil stencil(state.grid.cellSize(), affine_);
-    for (std::size_t i = 0; i < block.points.size(); i += stencil.size)
-    {
-        stencil.take(cloud.x, state.grid, block, i);
-        for (int l = 0; l < stencil.count(); ++l)
-        {
-            const std::int32_t p = stencil.points()[l];
-            stencil.forNodes
-            (
-                l,
-                [&]
-                (
-                    const int node,
-                    const double weight,
-                    const Vector<Dim>&,
-                    const Vector<Dim>& distance
-                )
-                {
-                    const double m = weight*cloud.mass[p];
-                    for (int r = 0; r < Dim; ++r)
-                    {
-                        double v = cloud.v[p][r];
-                        for (int c = 0; affine_ && c < Dim; ++c)
-                        {
-                            v += cloud.C[p][c*Dim + r]*distance[c];
-                        }
-                        patch[node][r] += m*v;
-                    }
-                    patch[node][massOf] += m;
-                }
-            );
-        }
-    }
-}
-
-
-template<int Dim, class Shape>
-void mpm::GenericCycle<Dim, Shape>::scatterForces
-(
-    State<Dim>& state,
-    const std::size_t b
-) const
-{
-    const Block& block = state.grid[b];
-    const PointCloud<Dim>& cloud = state.cloud;
-    Node* patch = state.grid.patchOf(b);
-    std::fill_n(patch, BlockGrid<Dim>::nPatchNodes, Node{});
-
-    Stencil stencil(state.grid.cellSize(), affine_);
-    for (std::size_t i = 0; i < block.points.size(); i += stencil.size)
-    {
-        stencil.take(cloud.x, state.grid, block, i);
-        for (int l = 0; l < stencil.count(); ++l)
-        {
-            const std::int32_t p = stencil.points()[l];
-            stencil.forNodes
-            (
-                l,
-                [&]
-                (
-                    const int node,
-                    const double,
-                    const Vector<Dim>& gradient,
-                    const Vector<Dim>&
-                )
-                {
-                    for (int c = 0; c < Dim; ++c)
-                    {
-                        const Vector<Dim> s = column(cloud.sigma[p], c);
-                        const double k = cloud.volume[p]*gradient[c];
-                        for (int r = 0; r < Dim; ++r)
-                        {
-                            patch[node][r] -= k*s[r];
-                        }
-                    }
-                }
-            );
-        }
-    }
-}
-
-
-template<int Dim, class Shape>
-void mpm::GenericCycle<Dim, Shape>::sumForces
-(
-    State<Dim>& state,
-    const std::size_t b
-)
-{
-    state.grid.sum
-    (
-        state.grid.patches,
-        state.grid[b],
-        forces_.data() + b*BlockGrid<Dim>::nNodes
-    );
-}
-
 
 template<int Dim, class Shape>
 void mpm::GenericCycle<Dim, Shape>::balance
@@ -313,7 +70,7 @@ void mpm::GenericCycle<Dim, Shape>::updateStress
     alignas(64) Node patch[BlockGrid<Dim>::nPatchNodes];
     state.grid.collect(velocity, block, patch);
 
-    Stencil stencil(state.grid.cellSize(), affine_);
+    Stencil<Dim, Shape> stencil(state.grid.cellSize(), affine_);
     for (std::size_t i = 0; i < block.points.size(); i += stencil.size)
     {
         stencil.take(state.cloud.x, state.grid, block, i);
@@ -407,7 +164,7 @@ void mpm::GenericCycle<Dim, Shape>::gather
       : std::exp(-deltaT/settings.flipTime);
 
     PointCloud<Dim>& cloud = state.cloud;
-    Stencil stencil(state.grid.cellSize(), affine_);
+    Stencil<Dim, Shape> stencil(state.grid.cellSize(), affine_);
     for (std::size_t i = 0; i < block.points.size(); i += stencil.size)
     {
         stencil.take(cloud.x, state.grid, block, i);
@@ -473,7 +230,7 @@ void mpm::GenericCycle<Dim, Shape>::move
 
     PointCloud<Dim>& cloud = state.cloud;
     BlockReport<Dim>& report = state.reports[b];
-    Stencil stencil(state.grid.cellSize(), affine_);
+    Stencil<Dim, Shape> stencil(state.grid.cellSize(), affine_);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < block.points.size(); i += stencil.size)
     {

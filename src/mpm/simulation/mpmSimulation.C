@@ -26,7 +26,6 @@ License
 #include "mpmNames.H"
 #include "mpmSort.H"
 
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -159,7 +158,11 @@ void mpm::Simulation<Dim>::stopAt(const std::int32_t p) const
     }
     message
         << " ) of material " << state_.laws.materials()[law.zone].name
-        << (cloud.volume[p] <= 0 ? " was turned inside out" : " is not a number")
+        <<  (
+                cloud.volume[p] <= 0
+              ? " was turned inside out"
+              : " is not a number"
+            )
         << " in step " << clock_.step + 1 << " after time " << clock_.time
         << " s (step length " << clock_.deltaT << " s, volume "
         << cloud.volume[p] << " m3)";

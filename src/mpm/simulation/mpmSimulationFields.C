@@ -29,19 +29,6 @@ License
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<int Dim>
-std::vector<std::int32_t> mpm::Simulation<Dim>::places() const
-{
-    const std::vector<std::int32_t>& id = state_.cloud.id;
-    std::vector<std::int32_t> place(id.size());
-    for (std::size_t i = 0; i < id.size(); ++i)
-    {
-        place[id[i]] = std::int32_t(i);
-    }
-    return place;
-}
-
-
-template<int Dim>
 void mpm::Simulation<Dim>::setFrictionAngle(const std::vector<double>& angles)
 {
     PointCloud<Dim>& cloud = state_.cloud;
@@ -194,9 +181,6 @@ void mpm::Simulation<Dim>::setField
 
 
 // * * * * * * * * * * * * * Explicit Instantiations * * * * * * * * * * * * //
-
-template std::vector<std::int32_t> mpm::Simulation<2>::places() const;
-template std::vector<std::int32_t> mpm::Simulation<3>::places() const;
 
 template void mpm::Simulation<2>::setFrictionAngle(const std::vector<double>&);
 template void mpm::Simulation<3>::setFrictionAngle(const std::vector<double>&);

@@ -209,7 +209,10 @@ TEST_CASE("bad points are named")
 
     data = good;
     data.cohesionIntercept.pop_back();
-    checkSays(complaint(s, data), {"cohesionIntercept", "3 values", "4 points"});
+    checkSays
+    (
+        complaint(s, data), {"cohesionIntercept", "3 values", "4 points"}
+    );
 
     data = good;
     data.position[0][0] = 1e12;
