@@ -91,6 +91,10 @@ Foam::scalar Foam::coupledFlow::residualLimit() const
     {
         soil_->addMoved(stepLength_, moved, total);
     }
+    if (overland_)
+    {
+        total += stepLength_*overland_->fluxScale();
+    }
 
     reduce(moved, sumOp<scalar>());
     reduce(total, sumOp<scalar>());
@@ -137,6 +141,33 @@ Foam::scalar Foam::coupledFlow::chopped
     }
 
     return result;
+}
+
+
+Foam::string Foam::coupledFlow::place(const label unknown) const
+{
+    OStringStream os;
+
+    if (unknown >= start_)
+    {
+        const label i = unknown - start_;
+        const label facei = ground_.faces()[i];
+
+        os  << "ground face " << i << " at " << mesh_.faceCentres()[facei]
+            << ", surface head " << water_->head()[i] << " m";
+        if (soil_)
+        {
+            os  << ", soil " << soil_->soilName(mesh_.faceOwner()[facei]);
+        }
+    }
+    else
+    {
+        os  << "cell " << unknown << " at " << mesh_.cellCentres()[unknown]
+            << ", soil " << soil_->soilName(unknown) << ", pressure head "
+            << soil_->cellState(unknown).head << " m";
+    }
+
+    return os.str();
 }
 
 
@@ -228,9 +259,20 @@ bool Foam::coupledFlow::solve
              && norm > ceased*previousNorm
             );
 
+        if (performance_.converged && soil_)
+        {
+            performance_.dried = returnReduce
+            (
+                soil_->driedCell() >= 0,
+                orOp<bool>()
+            );
+            performance_.converged = !performance_.dried;
+        }
+
         if
         (
             performance_.converged
+         || performance_.dried
          || performance_.iterations >= maxIterations_
          || !(norm < GREAT)
         )
@@ -303,18 +345,23 @@ void Foam::coupledFlow::accept()
 }
 
 
-void Foam::coupledFlow::stop(const label nCuts) const
+Foam::string Foam::coupledFlow::trouble() const
 {
     const scalarField& residual = matrix_->residual();
 
-    label worst = -1;
-    scalar largest = -1;
-    forAll(residual, i)
+    // The unknown to name: one that fell too dry, else the largest residual
+    label worst = performance_.dried ? soil_->driedCell() : -1;
+    scalar largest = worst >= 0 ? mag(residual[worst]) : -1;
+
+    if (!performance_.dried)
     {
-        if (!(mag(residual[i]) <= largest))
+        forAll(residual, i)
         {
-            largest = mag(residual[i]);
-            worst = i;
+            if (!(mag(residual[i]) <= largest))
+            {
+                largest = mag(residual[i]);
+                worst = i;
+            }
         }
     }
 
@@ -326,42 +373,42 @@ void Foam::coupledFlow::stop(const label nCuts) const
         minOp<label>()
     );
 
-    OStringStream place;
-    if (Pstream::myProcNo() == speaker && worst >= start_)
+    stringList places(Pstream::nProcs());
+    if (Pstream::myProcNo() == speaker && worst >= 0)
     {
-        const label facei = ground_.faces()[worst - start_];
-        place
-            << "ground face " << worst - start_ << " at "
-            << mesh_.faceCentres()[facei] << ", surface head "
-            << water_->head()[worst - start_] << " m";
-        if (soil_)
-        {
-            place<< ", soil " << soil_->soilName(mesh_.faceOwner()[facei]);
-        }
+        places[speaker] = place(worst);
     }
-    else if (Pstream::myProcNo() == speaker && worst >= 0)
-    {
-        place
-            << "cell " << worst << " at " << mesh_.cellCentres()[worst]
-            << ", soil " << soil_->soilName(worst) << ", pressure head "
-            << soil_->cellState(worst).head << " m";
-    }
-
-    List<string> places(Pstream::nProcs());
-    places[Pstream::myProcNo()] = place.str();
     Pstream::gatherList(places);
     Pstream::scatterList(places);
 
+    OStringStream os;
+    if (performance_.dried)
+    {
+        os  << "drier than the curves of its soil reach: ";
+    }
+    else
+    {
+        os  << "residual " << performance_.finalResidual
+            << " m3, limit " << performance_.limit
+            << " m3, the largest part, " << overall << " m3, in ";
+    }
+    os  << places[speaker].c_str();
+
+    if (Pstream::parRun())
+    {
+        os  << " on processor " << speaker;
+    }
+
+    return os.str();
+}
+
+
+void Foam::coupledFlow::stop(const label nCuts) const
+{
     FatalErrorInFunction
-        << "No solution of the step from t = " << stepStart_ << " s: "
-        << nCuts << " cuts of the step brought it to " << stepLength_
-        << " s, and the residual is still "
-        << performance_.finalResidual << " m3, the limit "
-        << performance_.limit << " m3. The largest part, " << overall
-        << " m3, is in " << places[speaker]
-        << (Pstream::parRun() ? " on processor " : "")
-        << (Pstream::parRun() ? Foam::name(speaker) : word::null)
-        << ". What was written before is complete."
+        << "No solution of the step from t = " << stepStart_ << " s, which "
+        << nCuts << " cuts brought to " << stepLength_ << " s: "
+        << trouble().c_str() << ". What was written before is complete."
         << exit(FatalError);
 }
 

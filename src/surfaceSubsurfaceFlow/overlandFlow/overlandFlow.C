@@ -311,7 +311,10 @@ Foam::overlandFlow::overlandFlow(const fvMesh& mesh, groundSurface& ground)
             IOobject::NO_WRITE
         )
     ),
-    outflow_(0)
+    edgeGradients_(aMesh_.neighbour().size(), vector2D(0, 0)),
+    patchGradients_(aMesh_.boundary().size()),
+    outflow_(0),
+    fluxScale_(0)
 {
     // Construction from a temporary field does not keep this
     for (areaScalarField* field : {&h_, &hs_, &qExchange_, &depthRate_})

@@ -64,19 +64,7 @@ Foam::vector2D Foam::overlandFlow::edgeGradient
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::overlandFlow::setDepth(const pondedWater& water)
-{
-    forAll(h_, i)
-    {
-        h_[i] = water.depth()[i];
-    }
-    h_.correctBoundaryConditions();
-}
-
-
-void Foam::overlandFlow::renewGradient()
+void Foam::overlandFlow::setFaceGradients()
 {
     // Least squares over the neighbours. In a direction without neighbours
     // the gradient is zero: the matrix gets a trace of the unit tensor
@@ -172,6 +160,72 @@ void Foam::overlandFlow::renewGradient()
 }
 
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::overlandFlow::setDepth(const pondedWater& water)
+{
+    forAll(h_, i)
+    {
+        h_[i] = water.depth()[i];
+    }
+    h_.correctBoundaryConditions();
+}
+
+
+void Foam::overlandFlow::renewGradient()
+{
+    setFaceGradients();
+
+    const labelUList& owner = aMesh_.owner();
+    const labelUList& neighbour = aMesh_.neighbour();
+
+    const auto gradient = [&](const label i)
+    {
+        return vector2D(gradient1_[i], gradient2_[i]);
+    };
+
+    forAll(neighbour, edgei)
+    {
+        const label own = owner[edgei];
+        const label nei = neighbour[edgei];
+
+        edgeGradients_[edgei] = edgeGradient
+        (
+            h_[own],
+            gradient(own),
+            h_[nei],
+            gradient(nei)
+        );
+    }
+
+    forAll(aMesh_.boundary(), patchi)
+    {
+        if (!aMesh_.boundary()[patchi].coupled())
+        {
+            continue;
+        }
+
+        const labelUList& faces = aMesh_.boundary()[patchi].edgeFaces();
+        const faPatchScalarField& g1 = gradient1_.boundaryField()[patchi];
+        const faPatchScalarField& g2 = gradient2_.boundaryField()[patchi];
+
+        List<vector2D>& gradients = patchGradients_[patchi];
+        gradients.setSize(faces.size());
+
+        forAll(faces, i)
+        {
+            gradients[i] = edgeGradient
+            (
+                h_[faces[i]],
+                gradient(faces[i]),
+                h_.boundaryField()[patchi][i],
+                vector2D(g1[i], g2[i])
+            );
+        }
+    }
+}
+
+
 void Foam::overlandFlow::assemble
 (
     coupledMatrix& matrix,
@@ -184,12 +238,8 @@ void Foam::overlandFlow::assemble
     const labelUList& neighbour = aMesh_.neighbour();
     const scalarField& dDepth = water.dDepth();
 
-    const auto gradient = [&](const label i)
-    {
-        return vector2D(gradient1_[i], gradient2_[i]);
-    };
-
     outflow_ = 0;
+    fluxScale_ = 0;
 
     forAll(neighbour, edgei)
     {
@@ -208,15 +258,13 @@ void Foam::overlandFlow::assemble
                 geometry_.edges()[edgei],
                 side(own),
                 side(nei),
-                edgeGradient
-                (
-                    h_[own],
-                    gradient(own),
-                    h_[nei],
-                    gradient(nei)
-                )
+                edgeGradients_[edgei]
             )
         );
+
+        fluxScale_ +=
+            mag(f.dFirst*(elevation_[own] + h_[own]))
+          + mag(f.dSecond*(elevation_[nei] + h_[nei]));
 
         matrix.addFlux
         (
@@ -238,8 +286,6 @@ void Foam::overlandFlow::assemble
             const faPatchScalarField& h = h_.boundaryField()[patchi];
             const faPatchScalarField& z = elevation_.boundaryField()[patchi];
             const faPatchScalarField& n = manning_.boundaryField()[patchi];
-            const faPatchScalarField& g1 = gradient1_.boundaryField()[patchi];
-            const faPatchScalarField& g2 = gradient2_.boundaryField()[patchi];
 
             forAll(faces, i)
             {
@@ -251,13 +297,7 @@ void Foam::overlandFlow::assemble
                         edges[i],
                         side(own),
                         {h[i], z[i], n[i]},
-                        edgeGradient
-                        (
-                            h_[own],
-                            gradient(own),
-                            h[i],
-                            vector2D(g1[i], g2[i])
-                        )
+                        patchGradients_[patchi][i]
                     )
                 );
 

@@ -146,6 +146,22 @@ Foam::scalar Foam::subsurfaceFlow::hydrostaticHead(const label facei) const
 }
 
 
+Foam::label Foam::subsurfaceFlow::driedCell() const
+{
+    forAll(cellStates_, celli)
+    {
+        const soilTable::state& s = cellStates_[celli];
+
+        if (!table(celli).aboveDryEnd(s.tau) && s.storage < storageOld_[celli])
+        {
+            return celli;
+        }
+    }
+
+    return -1;
+}
+
+
 void Foam::subsurfaceFlow::localError
 (
     const scalar dt,

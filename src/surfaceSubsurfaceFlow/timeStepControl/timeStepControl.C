@@ -193,6 +193,9 @@ bool Foam::timeStepControl::rejects(coupledFlow& water)
             return false;
         }
 
+        Info<< "Step of " << length_ << " s rejected: local error "
+            << errorRatio_*localError_ << endl;
+
         length_ *= max(cut_, 0.9/sqrt(errorRatio_));
     }
     else if (!fallback_ && water.hasSoil())
@@ -204,6 +207,14 @@ bool Foam::timeStepControl::rejects(coupledFlow& water)
         fallback_ = false;
         length_ *= cut_;
         ++nCuts_;
+    }
+
+    if (!water.latest().converged)
+    {
+        Info<< "Step not converged after " << water.latest().iterations
+            << " iterations: " << water.trouble().c_str() << ". Next "
+            << length_ << " s with "
+            << (fallback_ ? "integralUpwind" : "the selected flux") << endl;
     }
 
     if (nCuts_ > maxCuts_ || length_ < minStep_)

@@ -27,7 +27,8 @@ License
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fixedPiezometricHeadFvPatchScalarField::fixedPiezometricHeadFvPatchScalarField
+Foam::fixedPiezometricHeadFvPatchScalarField::
+fixedPiezometricHeadFvPatchScalarField
 (
     const fvPatch& p,
     const DimensionedField<scalar, volMesh>& iF
@@ -38,7 +39,8 @@ Foam::fixedPiezometricHeadFvPatchScalarField::fixedPiezometricHeadFvPatchScalarF
 {}
 
 
-Foam::fixedPiezometricHeadFvPatchScalarField::fixedPiezometricHeadFvPatchScalarField
+Foam::fixedPiezometricHeadFvPatchScalarField::
+fixedPiezometricHeadFvPatchScalarField
 (
     const fvPatch& p,
     const DimensionedField<scalar, volMesh>& iF,
@@ -50,7 +52,8 @@ Foam::fixedPiezometricHeadFvPatchScalarField::fixedPiezometricHeadFvPatchScalarF
 {}
 
 
-Foam::fixedPiezometricHeadFvPatchScalarField::fixedPiezometricHeadFvPatchScalarField
+Foam::fixedPiezometricHeadFvPatchScalarField::
+fixedPiezometricHeadFvPatchScalarField
 (
     const fixedPiezometricHeadFvPatchScalarField& ptf,
     const fvPatch& p,
@@ -63,7 +66,8 @@ Foam::fixedPiezometricHeadFvPatchScalarField::fixedPiezometricHeadFvPatchScalarF
 {}
 
 
-Foam::fixedPiezometricHeadFvPatchScalarField::fixedPiezometricHeadFvPatchScalarField
+Foam::fixedPiezometricHeadFvPatchScalarField::
+fixedPiezometricHeadFvPatchScalarField
 (
     const fixedPiezometricHeadFvPatchScalarField& ptf
 )
@@ -73,7 +77,8 @@ Foam::fixedPiezometricHeadFvPatchScalarField::fixedPiezometricHeadFvPatchScalarF
 {}
 
 
-Foam::fixedPiezometricHeadFvPatchScalarField::fixedPiezometricHeadFvPatchScalarField
+Foam::fixedPiezometricHeadFvPatchScalarField::
+fixedPiezometricHeadFvPatchScalarField
 (
     const fixedPiezometricHeadFvPatchScalarField& ptf,
     const DimensionedField<scalar, volMesh>& iF
@@ -114,7 +119,11 @@ void Foam::fixedPiezometricHeadFvPatchScalarField::write(Ostream& os) const
 
 namespace Foam
 {
-    makePatchTypeField(fvPatchScalarField, fixedPiezometricHeadFvPatchScalarField);
+    makePatchTypeField
+    (
+        fvPatchScalarField,
+        fixedPiezometricHeadFvPatchScalarField
+    );
 }
 
 // ************************************************************************* //
