@@ -54,7 +54,31 @@ Foam::scalar Foam::timeStepControl::fitted(const scalar length) const
     }
     while (result < (1 - roundOff)*before && result > minStep_);
 
+    // It may have stretched the step to have fewer of them: two halves then
+    if (result > (1 + roundOff)*maxStep_)
+    {
+        result *= 0.5;
+    }
+
     return min(result, left);
+}
+
+
+Foam::scalar Foam::timeStepControl::defaultMaxStep() const
+{
+    const dictionary& times = runTime_.controlDict();
+    const word control(times.lookupOrDefault<word>("writeControl", "none"));
+
+    // Of the other controls writeInterval is no time of the run
+    const bool inTime =
+        control == "adjustableRunTime"
+     || control == "adjustable"
+     || control == "runTime";
+
+    return
+        inTime
+      ? times.get<scalar>("writeInterval")
+      : max(runTime_.endTime().value() - runTime_.value(), firstStep_);
 }
 
 
@@ -142,7 +166,7 @@ Foam::timeStepControl::timeStepControl
     (
         times,
         "maxDeltaT",
-        times.lookupOrDefault<scalar>("writeInterval", VGREAT),
+        defaultMaxStep(),
         positive,
         "> 0 s"
     );

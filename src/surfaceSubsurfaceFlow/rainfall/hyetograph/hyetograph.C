@@ -145,6 +145,25 @@ Foam::Function1Types::hyetograph::hyetograph
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::scalarList Foam::Function1Types::hyetograph::breakPoints() const
+{
+    DynamicList<scalar> result;
+
+    forAll(times_, i)
+    {
+        const scalar before = (i > 0 ? rates_[i-1] : 0);
+        const scalar after = (i < rates_.size() ? rates_[i] : 0);
+
+        if (before != after)
+        {
+            result.append(times_[i]);
+        }
+    }
+
+    return scalarList(std::move(result));
+}
+
+
 Foam::scalar Foam::Function1Types::hyetograph::value(const scalar t) const
 {
     forAll(rates_, i)
