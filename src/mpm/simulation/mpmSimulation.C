@@ -171,6 +171,26 @@ void mpm::Simulation<Dim>::stopAt(const std::int32_t p) const
 
 
 template<int Dim>
+typename mpm::Simulation<Dim>::Good mpm::Simulation<Dim>::keep() const
+{
+    std::ostringstream blocks;
+    state_.grid.write(blocks);
+    return Good{state_.cloud, blocks.str(), clock_};
+}
+
+
+template<int Dim>
+void mpm::Simulation<Dim>::goBack(const Good& good)
+{
+    std::istringstream blocks(good.blocks);
+    state_.grid.read(blocks);
+    state_.reports.resize(state_.grid.size());
+    state_.cloud = good.cloud;
+    clock_ = good.clock;
+}
+
+
+template<int Dim>
 void mpm::Simulation<Dim>::halt()
 {
     std::fill(state_.cloud.v.begin(), state_.cloud.v.end(), Vector<Dim>{});
@@ -261,9 +281,7 @@ void mpm::Simulation<Dim>::advance(const double endTime)
         outOfRange("end time", endTime, range.str());
     }
 
-    std::ostringstream good;
-    save(good);
-
+    const Good good(keep());
     try
     {
         while (clock_.time < endTime)
@@ -281,8 +299,7 @@ void mpm::Simulation<Dim>::advance(const double endTime)
     }
     catch (const std::runtime_error&)
     {
-        std::istringstream is(good.str());
-        restore(is);
+        goBack(good);
         throw;
     }
 }

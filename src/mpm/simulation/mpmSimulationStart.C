@@ -241,16 +241,12 @@ void mpm::Simulation<Dim>::measureExcess(StartReport& report) const
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
 template<int Dim>
-mpm::StartReport mpm::Simulation<Dim>::establishStart
+mpm::StartReport mpm::Simulation<Dim>::comeToRest
 (
     const StartSettings& settings
 )
 {
-    settings.validate(nPoints());
-
     StartReport report;
     PointCloud<Dim>& cloud = state_.cloud;
 
@@ -331,6 +327,30 @@ mpm::StartReport mpm::Simulation<Dim>::establishStart
 }
 
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<int Dim>
+mpm::StartReport mpm::Simulation<Dim>::establishStart
+(
+    const StartSettings& settings
+)
+{
+    settings.validate(nPoints());
+
+    const Good good(keep());
+    try
+    {
+        return comeToRest(settings);
+    }
+    catch (const std::exception&)
+    {
+        state_.elastic = false;
+        goBack(good);
+        throw;
+    }
+}
+
+
 // * * * * * * * * * * * * * Explicit Instantiations * * * * * * * * * * * * //
 
 #define instantiate(Dim)                                                       \
@@ -338,6 +358,10 @@ mpm::StartReport mpm::Simulation<Dim>::establishStart
     template void mpm::Simulation<Dim>::relax(double, double, StartReport&);   \
     template double mpm::Simulation<Dim>::outOfBalance();                      \
     template void mpm::Simulation<Dim>::measureExcess(StartReport&) const;     \
+    template mpm::StartReport mpm::Simulation<Dim>::comeToRest                 \
+    (                                                                          \
+        const StartSettings&                                                   \
+    );                                                                         \
     template mpm::StartReport mpm::Simulation<Dim>::establishStart             \
     (                                                                          \
         const StartSettings&                                                   \
