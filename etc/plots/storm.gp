@@ -81,7 +81,7 @@ set xlabel "time (h)"
 set ylabel "amount (".unit.")"
 set key top left
 plot rows("time rain", water) using (hours($1)):(scale*$2) \
-         with lines lt 1 title "rain", \
+         with lines lw 7 lc rgb "#bcd4ea" title "rain", \
      rows("time infiltration", water) using (hours($1)):(scale*$2) \
          with lines lt 3 title "infiltration", \
      rows("time surfaceOutflow", water) using (hours($1)):(scale*$2) \
