@@ -118,6 +118,65 @@ static void fill
     }
 }
 
+
+// The line above which soil that may slide reaches up to the ground, half way
+// between nodes
+static slopeStability::polyline firmBase
+(
+    const std::vector<slopeStability::point>& nodes,
+    const UList<label>& soil,
+    const label nLevels
+)
+{
+    std::vector<slopeStability::point> line;
+
+    for (label start = 0; start < soil.size(); start += nLevels)
+    {
+        label j = nLevels;
+        while (j > 0 && soil[start + j - 1] >= 0)
+        {
+            --j;
+        }
+
+        const slopeStability::point& upper = nodes[start + min(j, nLevels - 1)];
+        const slopeStability::point& lower = nodes[start + max(j - 1, 0)];
+        line.push_back(0.5*(upper + lower));
+    }
+
+    return slopeStability::polyline(std::move(line), "base");
+}
+
+
+// Depth of the standing water: that of the ground's faces in their middle
+static slopeStability::polyline pondLine(const groundSection& outline)
+{
+    const List<vector2D>& pond = outline.pond();
+
+    std::vector<slopeStability::point> line;
+    line.emplace_back(outline.ground().first().x(), max(0, pond.first().y()));
+    for (const vector2D& p : pond)
+    {
+        line.emplace_back(p.x(), max(0, p.y()));
+    }
+    line.emplace_back(outline.ground().last().x(), max(0, pond.last().y()));
+
+    return slopeStability::polyline(std::move(line), "pond");
+}
+
+
+// Density of water [kg/m3]
+static scalar readRhoWater(const dictionary& soilProperties)
+{
+    return readCheckedOrDefault
+    (
+        soilProperties,
+        "rhoWater",
+        1000,
+        [](const scalar rho){ return rho > 0; },
+        "> 0 kg/m3"
+    );
+}
+
 } // End namespace Foam
 
 
@@ -231,28 +290,98 @@ Foam::boolList Foam::slopeSafety::mobile
 }
 
 
+std::vector<slopeStability::soilState> Foam::slopeSafety::sample
+(
+    const soilZones& zones,
+    const UList<vector2D>& nodes,
+    labelList& soil
+) const
+{
+    pointField places(nodes.size());
+    forAll(places, i)
+    {
+        places[i] = section_->toSpace(nodes[i]);
+    }
+
+    const PtrList<soilMechanics> soilProperties(soils(zones));
+    const boolList mayMove(mobile(zones, soilProperties));
+
+    // Ends and rounding put nodes a little outside of the mesh
+    const fieldToPointMapping mapping
+    (
+        mesh_,
+        places,
+        outsidePolicy(outsidePolicy::NEAREST),
+        zones.cellSoil()
+    );
+    const scalarField psi
+    (
+        mapping.map<scalar>
+        (
+            cellValues(mesh_, dict_.getOrDefault<word>("psi", "psi"))
+        )
+    );
+    const scalarField theta
+    (
+        mapping.map<scalar>
+        (
+            cellValues(mesh_, dict_.getOrDefault<word>("theta", "theta"))
+        )
+    );
+    soil = mapping.mapCellLabels(zones.cellSoil(), -1);
+
+    const scalar rhoWater = readRhoWater(zones.soilDict(0).topDict());
+    const scalar gammaWater = rhoWater*mag(g_);
+
+    std::vector<slopeStability::soilState> states
+    (
+        nodes.size(),
+        slopeStability::soilState{0, 0, 0}
+    );
+    forAll(soil, i)
+    {
+        if (soil[i] < 0 || !mayMove[soil[i]])
+        {
+            soil[i] = -1;
+            continue;
+        }
+
+        const soilMechanics& mechanics = soilProperties[soil[i]];
+        const scalar water = mechanics.limited(theta[i]);
+
+        states[i].unitWeight = mag(g_)*mechanics.bulkDensity(water, rhoWater);
+        states[i].cohesionIntercept = mechanics.cohesionIntercept
+        (
+            mechanics.porePressure(water, gammaWater*psi[i])
+        );
+        states[i].tanPhi = mechanics.tanPhi();
+    }
+
+    return states;
+}
+
+
 std::shared_ptr<slopeStability::slopeSection>
 Foam::slopeSafety::makeSection() const
 {
     using namespace slopeStability;
 
-    // The outline
-    const word depthName(dict_.getOrDefault<word>("h", "h"));
     const groundSection outline
     (
         mesh_,
         *section_,
         groundPatches(),
-        pondedDepth(mesh_, depthName)
+        pondedDepth(mesh_, dict_.getOrDefault<word>("h", "h"))
     );
     const polyline ground(toPolyline(outline.ground(), "ground"));
-    polyline base(toPolyline(outline.base(), "base"));
+    const polyline base(toPolyline(outline.base(), "base"));
 
     checkLimits(ground.xMin(), ground.xMax());
 
-    // The nodes
-    const dictionary& sampling = dict_.subOrEmptyDict("sampling");
+    // The columns, each with a height where the ground runs into the base, too
     const scalar length = ground.xMax() - ground.xMin();
+    const scalar thinnest = 1e-6*length;
+    const dictionary& sampling = dict_.subOrEmptyDict("sampling");
     const scalar spacing = readCheckedOrDefault
     (
         sampling,
@@ -276,127 +405,44 @@ Foam::slopeSafety::makeSection() const
     (
         rasterProfile::resampled(base, x).points()
     );
-
-    // A column has a height, also where the ground runs into the base
-    const scalar thinnest = 1e-6*length;
     for (std::size_t i = 0; i < x.size(); ++i)
     {
         double& y = bottomPoints[i].y();
         y = min(y, top.points()[i].y() - thinnest);
     }
-    const polyline bottom(bottomPoints, "base");
+    const polyline bottom(std::move(bottomPoints), "base");
 
+    // The soil at their nodes
     const std::vector<slopeStability::point> nodes
     (
         rasterProfile::nodes(top, bottom, nLevels)
     );
-    pointField places(nodes.size());
-    forAll(places, i)
-    {
-        places[i] = section_->toSpace(vector2D(nodes[i].x(), nodes[i].y()));
-    }
-
-    // The fields there
     const word soilName
     (
         dict_.getOrDefault<word>("soilProperties", "soilProperties")
     );
     const soilZones zones(mesh_, soilName);
-    const PtrList<soilMechanics> soilProperties(soils(zones));
-    const boolList mayMove(mobile(zones, soilProperties));
-
-    // Ends and rounding put nodes a little outside of the mesh
-    const fieldToPointMapping mapping
-    (
-        mesh_,
-        places,
-        outsidePolicy(outsidePolicy::NEAREST),
-        zones.cellSoil()
-    );
-    const word psiName(dict_.getOrDefault<word>("psi", "psi"));
-    const word thetaName(dict_.getOrDefault<word>("theta", "theta"));
-    const scalarField psi
-    (
-        mapping.map<scalar>(cellValues(mesh_, psiName))
-    );
-    const scalarField theta
-    (
-        mapping.map<scalar>(cellValues(mesh_, thetaName))
-    );
-    labelList soil(mapping.mapCellLabels(zones.cellSoil(), -1));
-
-    const scalar rhoWater = readCheckedOrDefault
-    (
-        zones.soilDict(0).topDict(),
-        "rhoWater",
-        1000,
-        [](const scalar rho){ return rho > 0; },
-        "> 0 kg/m3"
-    );
-    const scalar gammaWater = rhoWater*mag(g_);
-
-    std::vector<soilState> states(nodes.size(), soilState{0, 0, 0});
-    forAll(soil, i)
+    labelList soil;
+    List<vector2D> places(nodes.size());
+    forAll(places, i)
     {
-        if (soil[i] < 0 || !mayMove[soil[i]])
-        {
-            soil[i] = -1;
-            continue;
-        }
-
-        const soilMechanics& mechanics = soilProperties[soil[i]];
-        const scalar water = mechanics.limited(theta[i]);
-
-        states[i].unitWeight = mag(g_)*mechanics.bulkDensity(water, rhoWater);
-        states[i].cohesionIntercept = mechanics.cohesionIntercept
-        (
-            mechanics.porePressure(water, gammaWater*psi[i])
-        );
-        states[i].tanPhi = mechanics.tanPhi();
+        places[i] = vector2D(nodes[i].x(), nodes[i].y());
     }
+    std::vector<soilState> states(sample(zones, places, soil));
     fill(states, soil, nLevels);
-
-    // Soil that may not slide is a firm base
-    if (soil.found(-1))
-    {
-        for (std::size_t i = 0; i < x.size(); ++i)
-        {
-            label j = nLevels;
-            while (j > 0 && soil[i*nLevels + j - 1] >= 0)
-            {
-                --j;
-            }
-            if (j > 0)
-            {
-                bottomPoints[i].y() =
-                    j < nLevels
-                  ? 0.5*
-                    (
-                        nodes[i*nLevels + j].y()
-                      + nodes[i*nLevels + j - 1].y()
-                    )
-                  : top.points()[i].y();
-            }
-        }
-        base = polyline(bottomPoints, "base");
-    }
 
     const auto result = std::make_shared<slopeStability::slopeSection>
     (
         ground,
-        base,
+        soil.found(-1) ? firmBase(nodes, soil, nLevels) : base,
         std::make_shared<rasterProfile>(top, bottom, std::move(states))
     );
 
-    // Depths are those in the middle of the ground's faces
-    std::vector<slopeStability::point> pond;
-    pond.emplace_back(ground.xMin(), max(0, outline.pond().first().y()));
-    for (const vector2D& p : outline.pond())
-    {
-        pond.emplace_back(p.x(), max(0, p.y()));
-    }
-    pond.emplace_back(ground.xMax(), pond.back().y());
-    result->setPond(polyline(std::move(pond), "pond"), gammaWater);
+    result->setPond
+    (
+        pondLine(outline),
+        readRhoWater(zones.soilDict(0).topDict())*mag(g_)
+    );
 
     return result;
 }
