@@ -186,6 +186,30 @@ Foam::meshPointLocator::candidate Foam::meshPointLocator::bestCell
 }
 
 
+Foam::labelList Foam::meshPointLocator::nearCells() const
+{
+    boundBox query(positions_, false);
+    query.inflate(tolerance);
+    query.min() -= vector::uniform(SMALL);
+    query.max() += vector::uniform(SMALL);
+
+    DynamicList<label> cells;
+
+    for (label celli = 0; celli < mesh_.nCells(); ++celli)
+    {
+        boundBox box(cellBounds(mesh_, celli));
+        box.inflate(tolerance);
+
+        if (box.overlaps(query))
+        {
+            cells.append(celli);
+        }
+    }
+
+    return labelList(std::move(cells));
+}
+
+
 void Foam::meshPointLocator::locate()
 {
     List<candidate> best
@@ -198,14 +222,16 @@ void Foam::meshPointLocator::locate()
     // even if this one has no cells
     (void)mesh_.tetBasePtIs();
 
-    if (mesh_.nCells())
+    const labelList near(nearCells());
+
+    if (near.size())
     {
         const boundBox bounds(mesh_.points(), false);
         const treeBoundBox box(treeBounds(bounds));
 
         const indexedOctree<treeDataCell> tree
         (
-            treeDataCell(true, mesh_, polyMesh::CELL_TETS),
+            treeDataCell(true, mesh_, near, polyMesh::CELL_TETS),
             box,
             treeLevels,
             treeLeafSize,
@@ -268,6 +294,26 @@ Foam::meshPointLocator::meshPointLocator
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::boundBox Foam::meshPointLocator::cellBounds
+(
+    const polyMesh& mesh,
+    const label celli
+)
+{
+    boundBox bounds;
+
+    for (const label facei : mesh.cells()[celli])
+    {
+        for (const label pointi : mesh.faces()[facei])
+        {
+            bounds.add(mesh.points()[pointi]);
+        }
+    }
+
+    return bounds;
+}
+
 
 void Foam::meshPointLocator::moveOutsideToNearest()
 {

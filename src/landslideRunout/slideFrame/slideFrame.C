@@ -91,6 +91,15 @@ Foam::Pair<Foam::vector> Foam::slideFrame::limits
 }
 
 
+bool Foam::slideFrame::cuts(const boundBox& box) const
+{
+    const vector& n = section_->normal();
+    const scalar distance = (box.centre() - section_->origin()) & n;
+
+    return mag(distance) <= 0.5*(cmptMag(box.span()) & cmptMag(n)) + SMALL;
+}
+
+
 Foam::tensor Foam::slideFrame::axes() const
 {
     return

@@ -22,7 +22,6 @@ License
 
 #include "slidePoints.H"
 #include "fieldToPointMapping.H"
-#include "meshPointLocator.H"
 #include "mpmChecked.H"
 #include "pointTable.H"
 #include "readChecked.H"
@@ -56,109 +55,6 @@ Foam::label Foam::slidePoints::readPerEdge
         << exit(FatalIOError);
 
     return 0;
-}
-
-
-Foam::Pair<Foam::vector> Foam::slidePoints::limits(const fvMesh& mesh) const
-{
-    Pair<vector> corners(frame_.limits(mesh.bounds()));
-
-    const FixedList<word, 3> keys({"xLimits", "yLimits", "zLimits"});
-
-    for (direction cmpt = 0; cmpt < frame_.dimension(); ++cmpt)
-    {
-        if (dict_.found(keys[cmpt]))
-        {
-            const auto given(dict_.get<Pair<scalar>>(keys[cmpt]));
-
-            if (given.first() >= given.second())
-            {
-                FatalIOErrorInFunction(dict_)
-                    << keys[cmpt] << ' ' << given
-                    << ": the first limit must be below the second"
-                    << exit(FatalIOError);
-            }
-
-            corners.first()[cmpt] = given.first();
-            corners.second()[cmpt] = given.second();
-        }
-    }
-
-    return corners;
-}
-
-
-Foam::pointField Foam::slidePoints::lattice(const Pair<vector>& corners) const
-{
-    // Point i is at (i + 0.5)*spacing, so cells begin at multiples of cellSize
-    const scalar h = spacing();
-    Vector<label> first(Zero);
-    Vector<label> last(Zero);
-
-    for (direction cmpt = 0; cmpt < frame_.dimension(); ++cmpt)
-    {
-        first[cmpt] = std::ceil(corners.first()[cmpt]/h - 0.5);
-        last[cmpt] = std::floor(corners.second()[cmpt]/h - 0.5);
-    }
-
-    // A section has no third direction
-    const scalar z = (frame_.dimension() == 3 ? h : 0);
-
-    DynamicList<point> points;
-
-    for (label k = first.z(); k <= last.z(); ++k)
-    {
-        for (label j = first.y(); j <= last.y(); ++j)
-        {
-            for (label i = first.x(); i <= last.x(); ++i)
-            {
-                points.append(point((i + 0.5)*h, (j + 0.5)*h, (k + 0.5)*z));
-            }
-        }
-    }
-
-    return pointField(std::move(points));
-}
-
-
-Foam::boolList Foam::slidePoints::participating() const
-{
-    boolList result(soils_.size(), false);
-    wordList names(soils_.size());
-
-    forAll(soils_, soili)
-    {
-        if (soils_.set(soili))
-        {
-            names[soili] = soils_[soili].name();
-            result[soili] = true;
-        }
-    }
-
-    if (!dict_.found("zones"))
-    {
-        return result;
-    }
-
-    result = false;
-    const wordList zones(dict_.get<wordList>("zones"));
-
-    for (const word& zone : zones)
-    {
-        const label soili = names.find(zone);
-
-        if (soili == -1)
-        {
-            FatalIOErrorInFunction(dict_)
-                << "zones: " << zone << " is no soil with a mechanical entry."
-                << " Valid names: " << flatOutput(names)
-                << exit(FatalIOError);
-        }
-
-        result[soili] = true;
-    }
-
-    return result;
 }
 
 
@@ -270,57 +166,6 @@ Foam::scalar Foam::slidePoints::relief() const
     }
 
     return highest - lowest + h;
-}
-
-
-void Foam::slidePoints::seed(const fvMesh& mesh, const labelUList& cellSoil)
-{
-    const boolList takesPart(participating());
-    const pointField candidates(lattice(limits(mesh)));
-    const meshPointLocator locator(mesh, frame_.toSpace(candidates)());
-
-    labelList soils(candidates.size(), -1);
-
-    forAll(soils, i)
-    {
-        const label celli = locator.cells()[i];
-
-        if (celli != -1 && takesPart[cellSoil[celli]])
-        {
-            soils[i] = cellSoil[celli];
-        }
-    }
-
-    Pstream::listCombineGather(soils, maxEqOp<label>());
-    Pstream::listCombineScatter(soils);
-
-    label n = 0;
-    for (const label soili : soils)
-    {
-        n += (soili >= 0);
-    }
-    setSize(n);
-
-    if (!size())
-    {
-        FatalIOErrorInFunction(dict_)
-            << "No cell of a soil that takes part is at a point of the lattice"
-            << " with spacing " << spacing() << " m" << nl
-            << "    in the " << meshPointLocator::boundsMessage(mesh).c_str()
-            << ". Look at section, limits, cellSize and zones"
-            << exit(FatalIOError);
-    }
-
-    n = 0;
-    forAll(soils, i)
-    {
-        if (soils[i] >= 0)
-        {
-            position_[n] = candidates[i];
-            soil_[n] = soils[i];
-            ++n;
-        }
-    }
 }
 
 

@@ -106,7 +106,7 @@ void Foam::meshTerrain::search
     const label nHalvings = 19;
 
     const scalar step = 0.5*points.spacing();
-    const Pair<vector> limits(points.frame().limits(mesh.bounds()));
+    const Pair<vector> limits(points.limits(mesh));
     const scalar bottom = limits.first()[up_];
     const label nSamples = 1 + label((limits.second()[up_] - bottom)/step);
 
