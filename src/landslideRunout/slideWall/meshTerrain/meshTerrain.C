@@ -70,10 +70,21 @@ void Foam::meshTerrain::makeColumns(const slidePoints& points)
         high = max(high, p);
     }
 
-    const scalar h = points.spacing();
+    // In space a column a cell is enough: triangles cost more than pieces of a
+    // line
+    const scalar target =
+        (up_ == vector::Y ? points.spacing() : points.cellSize());
 
-    nX_ = 1 + label((high.x() - low.x())/h + 0.5);
-    nY_ = (up_ == vector::Y ? 1 : 1 + label((high.y() - low.y())/h + 0.5));
+    const auto nColumns =
+        [&](const scalar length)
+        {
+            return 1 + max(label(1), label(length/target + 0.5));
+        };
+
+    const vector extent(high - low);
+
+    nX_ = nColumns(extent.x());
+    nY_ = (up_ == vector::Y ? 1 : nColumns(extent.y()));
 
     place_.setSize(nX_*nY_, Zero);
     found_.setSize(nX_*nY_, false);
@@ -84,10 +95,10 @@ void Foam::meshTerrain::makeColumns(const slidePoints& points)
         {
             point& p = place_[j*nX_ + i];
 
-            p.x() = low.x() + i*h;
+            p.x() = low.x() + extent.x()*i/(nX_ - 1);
             if (up_ == vector::Z)
             {
-                p.y() = low.y() + j*h;
+                p.y() = low.y() + extent.y()*j/(nY_ - 1);
             }
         }
     }
