@@ -284,6 +284,7 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh)
     {
         soil_->beginStep();
     }
+    renewLagged();
     assemble(false);
     setFields();
 }
