@@ -270,7 +270,8 @@ void runoutPicture::panel::drawDashed
         while (done < length)
         {
             const double phase = std::fmod(along, dash + gap);
-            const double left = phase < dash ? dash - phase : dash + gap - phase;
+            const double left =
+                (phase < dash ? dash : dash + gap) - phase;
             const double step = std::min(std::max(left, 1e-6), length - done);
 
             if (phase < dash)
@@ -350,7 +351,13 @@ runoutPicture::panel::panel(const panelSettings& settings)
         (
             settings_.view,
             forPoints ? arrayChoice() : settings_.array
-        ).mesh(settings_.mesh, settings_.slice, settings_.smooth, settings_.flat);
+        ).mesh
+        (
+            settings_.mesh,
+            settings_.slice,
+            settings_.smooth,
+            settings_.flat
+        );
     }
     if (forPoints)
     {
