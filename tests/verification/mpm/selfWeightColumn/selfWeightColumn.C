@@ -135,7 +135,9 @@ void verification::selfWeightColumn(Checks& checks, const bool longVersion)
         checks.report(name + "mean error of the stress", error.all);
         checks.report(name + "mean error off the base", error.inside);
         checks.report(name + "largest error, next to the base", error.largest);
-        if (cells > 16)
+        // Finer, the points' uneven places in the cells rule: about 1.3e-3 of
+        // the base's stress whatever the cell size
+        if (cells == 32 || cells == 64)
         {
             checks.within
             (
