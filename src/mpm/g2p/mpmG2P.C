@@ -208,8 +208,10 @@ void mpm::gatherAPIC
     Vector<Dim>* v = cloud.v.data();
     Vector<Dim>* u = cloud.displacement.data();
     Tensor<Dim>* C = cloud.C.data();
+    const double* mass = cloud.mass.data();
     std::int32_t* list = block.points.data();
     std::size_t kept = 0;
+    double energy = 0;
 
     for (std::size_t i = 0; i < n; i += Batch::size)
     {
@@ -276,18 +278,21 @@ void mpm::gatherAPIC
         for (int l = 0; l < batch.count; ++l)
         {
             const std::int32_t p = batch.point[l];
+            const Node dx = all(deltaT)*sums[l][0];
             for (int d = 0; d < Dim; ++d)
             {
-                const double vd = sums[l][0][d];
-                v[p][d] = vd;
-                x[p][d] += deltaT*vd;
-                u[p][d] += deltaT*vd;
-                for (int c = 0; c < Dim; ++c)
+                v[p][d] = sums[l][0][d];
+                x[p][d] += dx[d];
+                u[p][d] += dx[d];
+            }
+            for (int c = 0; c < Dim; ++c)
+            {
+                for (int d = 0; d < Dim; ++d)
                 {
                     C[p][c*Dim + d] = sums[l][c + 1][d];
                 }
             }
-            report.kineticEnergy += 0.5*cloud.mass[p]*square[l];
+            energy += mass[p]*square[l];
 
             const bool moved = !open && project(state, block, p, report);
             const bool stays = !moved && (allStay || !leaves[l]);
@@ -303,6 +308,7 @@ void mpm::gatherAPIC
     }
     block.points.resize(kept);
 
+    report.kineticEnergy = 0.5*energy;
     report.speed2 = largest(speed2);
     for (int l = 0; l < laneCount; ++l)
     {

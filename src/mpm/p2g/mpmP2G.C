@@ -32,7 +32,9 @@ namespace
 {
 
 //- What a point sends: value at its own place, and change for each cell in
-//  each direction
+//  each direction. The latter is that of its affine velocity less its stress
+//  times impulse, which is 4 deltaT/h: weights times distances in cells, over
+//  the second moment 1/4 of the weights, over h
 template<int Dim>
 struct Sent
 {
@@ -52,7 +54,7 @@ inline Sent<2> sent
     const PointCloud<2>& cloud,
     const std::int32_t p,
     const double h,
-    const double deltaT
+    const double impulse
 )
 {
     const double m = cloud.mass[p];
@@ -60,7 +62,7 @@ inline Sent<2> sent
     const Tensor<2>& C = cloud.C[p];
     const Stress<2>& s = cloud.sigma[p];
     const Node hm = all(h*m);
-    const Node k = all(deltaT*cloud.volume[p]*4/h);
+    const Node k = all(impulse*cloud.volume[p]);
 
     return
     {
@@ -78,7 +80,7 @@ inline Sent<3> sent
     const PointCloud<3>& cloud,
     const std::int32_t p,
     const double h,
-    const double deltaT
+    const double impulse
 )
 {
     const double m = cloud.mass[p];
@@ -86,7 +88,7 @@ inline Sent<3> sent
     const Tensor<3>& C = cloud.C[p];
     const Stress<3>& s = cloud.sigma[p];
     const Node hm = all(h*m);
-    const Node k = all(deltaT*cloud.volume[p]*4/h);
+    const Node k = all(impulse*cloud.volume[p]);
 
     return
     {
@@ -185,6 +187,9 @@ void mpm::scatterAPIC
         patch[i] = Node{};
     }
 
+    const double h = grid.cellSize();
+    const double impulse = deltaT/(QuadraticBSpline::secondMoment*h);
+
     ShapeBatch<Dim, QuadraticBSpline> batch;
     const std::size_t n = block.points.size();
     for (std::size_t i = 0; i < n; i += batch.size)
@@ -196,7 +201,7 @@ void mpm::scatterAPIC
             (
                 batch,
                 l,
-                sent(cloud, batch.point[l], grid.cellSize(), deltaT),
+                sent(cloud, batch.point[l], h, impulse),
                 patch + batch.node[l]
             );
         }
