@@ -48,6 +48,7 @@ Usage
 #include <ctime>
 #include <fstream>
 #include <iostream>
+#include <sstream>
 #include <thread>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -152,37 +153,54 @@ void measure
     const auto run = column(dim, cells, threads);
     run->advance(startOfWindows);
 
-    double best = 0, yielding = 0;
-    long sorts = 0;
+    // Each window repeats the same steps from the same state
+    std::stringstream saved;
+    run->save(saved);
+    const long sortsBefore = run->diagnostics().sorts;
+
+    long steps = 0;
+    double best = 0;
     for (int window = 0; window < windows; ++window)
     {
-        const long first = run->stepNumber();
-        const long sortsBefore = run->diagnostics().sorts;
+        saved.clear();
+        saved.seekg(0);
+        run->restore(saved);
+
         const double start = now(threads);
         double elapsed = 0;
-        while (elapsed < seconds)
+        if (window == 0)
         {
-            run->step(1);
+            while (elapsed < seconds)
+            {
+                run->step(1);
+                ++steps;
+                elapsed = now(threads) - start;
+            }
+        }
+        else
+        {
+            for (long i = 0; i < steps; ++i)
+            {
+                run->step(1);
+            }
             elapsed = now(threads) - start;
         }
-
-        const mpm::Diagnostics end = run->diagnostics();
-        const double rate =
-            double(run->nPoints())*double(run->stepNumber() - first)
-           /elapsed/1e6;
-        if (rate > best)
-        {
-            best = rate;
-            sorts = end.sorts - sortsBefore;
-            yielding = double(end.yieldingPoints)/double(run->nPoints());
-        }
+        best = std::max
+        (
+            best, double(run->nPoints())*double(steps)/elapsed/1e6
+        );
     }
+
+    const mpm::Diagnostics end = run->diagnostics();
+    const long sorts = end.sorts - sortsBefore;
+    const double yielding =
+        double(end.yieldingPoints)/double(run->nPoints());
 
     const auto row = [&](std::ostream& os)
     {
         os  << dim << ',' << run->nPoints() << ',' << (dim == 2 ? 4 : 8)
             << ',' << threads << ',' << best << ',' << yielding << ','
-            << sorts << ',' << run->diagnostics().bytesPerPoint << std::endl;
+            << sorts << ',' << end.bytesPerPoint << std::endl;
     };
     row(table);
     row(std::cout);
