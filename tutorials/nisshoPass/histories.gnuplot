@@ -31,7 +31,9 @@ set ylabel "safety factor"
 set xlabel "time (h)"
 set arrow from 0, 1 to 70, 1 nohead dashtype 2
 plot "results/factorOfSafety.dat" using 1:2 with linespoints pt 7 ps 0.5 \
-         lc rgb "#b10026" title "slips deeper than 1 m", \
+         lc rgb "#b10026" title "embankment, deeper than 1 m", \
      "results/factorOfSafety.dat" using 1:3 with linespoints pt 7 ps 0.5 \
-         lc rgb "#fd8d3c" title "slips deeper than 2 m"
+         lc rgb "#fd8d3c" title "embankment, deeper than 2 m", \
+     "results/factorOfSafety.dat" using 1:4 with lines lc rgb "#999999" \
+         title "with the natural slope below"
 unset multiplot
