@@ -1,0 +1,644 @@
+/*---------------------------------------------------------------------------*\
+    slideFoam | from rain to runout
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by the
+    Free Software Foundation, either version 3 of the License, or (at your
+    option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE. See the GNU General Public License for
+    more details.
+
+    You should have received a copy of the GNU General Public License along
+    with slideFoam. If not, see <http://www.gnu.org/licenses/>.
+
+Application
+    richardsColumn
+
+Description
+    Water in a vertical column, by a program that shares nothing with the
+    project: neither library nor table, neither flux nor time scheme. The
+    references of the verification come from it.
+
+    Method of lines on the mixed form d theta(h)/dt = -dq/dz: equal cells,
+    arithmetic mean of K and central differences (second order), TR-BDF2 with
+    the step set by its embedded estimate of third order, Newton's method for h
+    with a tridiagonal matrix. Curves are evaluated as formulas. Needs a
+    compiler and nothing else:
+
+        g++ -O3 -std=c++17 -o richardsColumn richardsColumn.C
+
+Usage
+    richardsColumn key=value ... > profile
+
+        soil=vanGenuchten thetaS= thetaR= Ks= alpha= n= [l=0.5]
+        soil=haverkamp    thetaS= thetaR= Ks= hTheta= beta= hK= gamma=
+        soil=gardner      thetaS= thetaR= Ks= alpha=
+        length=  cells=         the column [m], z = 0 at its bottom
+        initial=<psi>           or initial=table:<z>, with a water table there
+        top=head:<psi>          or flux:<m/s, downwards>
+        bottom=head:<psi>       or flux:<m/s, downwards>, or free
+        end=<s>  [tolerance=1e-9]  mean error of theta a step
+        [bins=400]              the profile: means over so many equal parts
+        [front=<psi>]           report the depth of this head
+
+    'z theta psi' a line for each bin, from the bottom to the top (theta is the
+    mean, psi that of the same theta); lines with # before them say how the run
+    went.
+
+\*---------------------------------------------------------------------------*/
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- The arguments; every one must be asked for
+class Arguments
+{
+    std::map<std::string, std::string> values_;
+
+public:
+
+    Arguments(const int argc, char* argv[])
+    {
+        for (int i = 1; i < argc; ++i)
+        {
+            const std::string argument(argv[i]);
+            const auto equals = argument.find('=');
+            if (equals == std::string::npos)
+            {
+                throw std::runtime_error("no key=value: " + argument);
+            }
+            values_[argument.substr(0, equals)] = argument.substr(equals + 1);
+        }
+    }
+
+    std::string word(const std::string& key)
+    {
+        const auto found = values_.find(key);
+        if (found == values_.end())
+        {
+            throw std::runtime_error(key + "= is missing");
+        }
+        const std::string value = found->second;
+        values_.erase(found);
+        return value;
+    }
+
+    double number(const std::string& key)
+    {
+        return std::stod(word(key));
+    }
+
+    double number(const std::string& key, const double absent)
+    {
+        return values_.count(key) ? number(key) : absent;
+    }
+
+    bool has(const std::string& key) const
+    {
+        return values_.count(key);
+    }
+
+    void refuseTheRest() const
+    {
+        for (const auto& value : values_)
+        {
+            throw std::runtime_error("unknown key " + value.first);
+        }
+    }
+};
+
+
+//- State of a soil at a head, with the derivatives by the head
+struct Point
+{
+    double theta, capacity, K, dKdh;
+};
+
+using Soil = std::function<Point(double)>;
+
+
+Soil readSoil(Arguments& arguments)
+{
+    const std::string type = arguments.word("soil");
+    const double thetaS = arguments.number("thetaS");
+    const double thetaR = arguments.number("thetaR");
+    const double Ks = arguments.number("Ks");
+    const double range = thetaS - thetaR;
+    const Point saturated{thetaS, 0, Ks, 0};
+
+    if (type == "vanGenuchten")
+    {
+        const double alpha = arguments.number("alpha");
+        const double n = arguments.number("n");
+        const double l = arguments.number("l", 0.5);
+        const double m = 1 - 1/n;
+
+        return [=](const double h)
+        {
+            if (h >= 0) return saturated;
+
+            const double s = -h;
+            const double x = std::pow(alpha*s, n);
+            const double Se = std::exp(-m*std::log1p(x));
+            const double f = -std::expm1(-m*std::log1p(1/x));
+            const double dxds = n*x/s;
+            const double dSeds = -m*Se/(1 + x)*dxds;
+            const double dfds = -m*(1 - f)/(x*(1 + x))*dxds;
+            const double root = std::pow(Se, l);
+            const double K = Ks*root*f*f;
+
+            return Point
+            {
+                thetaR + range*Se,
+                -range*dSeds,
+                K,
+                -(K*l*dSeds/Se + 2*Ks*root*f*dfds)
+            };
+        };
+    }
+    if (type == "haverkamp")
+    {
+        const double hTheta = arguments.number("hTheta");
+        const double beta = arguments.number("beta");
+        const double hK = arguments.number("hK");
+        const double gamma = arguments.number("gamma");
+
+        return [=](const double h)
+        {
+            if (h >= 0) return saturated;
+
+            const double s = -h;
+            const double a = std::pow(s/hTheta, beta);
+            const double b = std::pow(s/hK, gamma);
+
+            return Point
+            {
+                thetaR + range/(1 + a),
+                range*beta*a/(s*(1 + a)*(1 + a)),
+                Ks/(1 + b),
+                Ks*gamma*b/(s*(1 + b)*(1 + b))
+            };
+        };
+    }
+    if (type == "gardner")
+    {
+        const double alpha = arguments.number("alpha");
+
+        return [=](const double h)
+        {
+            if (h >= 0) return saturated;
+
+            const double e = std::exp(alpha*h);
+            return Point{thetaR + range*e, range*alpha*e, Ks*e, Ks*alpha*e};
+        };
+    }
+    throw std::runtime_error
+    (
+        "unknown soil " + type + ": vanGenuchten, haverkamp, gardner"
+    );
+}
+
+
+//- An end of the column: a head, a downward flux or free drainage
+struct End
+{
+    enum Kind { head, flux, free } kind;
+    double value;
+
+    explicit End(const std::string& text)
+    {
+        if (text == "free")
+        {
+            kind = free;
+            value = 0;
+            return;
+        }
+        const auto colon = text.find(':');
+        const std::string name = text.substr(0, colon);
+        if (colon == std::string::npos || (name != "head" && name != "flux"))
+        {
+            throw std::runtime_error("neither head:, flux: nor free: " + text);
+        }
+        kind = name == "head" ? head : flux;
+        value = std::stod(text.substr(colon + 1));
+    }
+};
+
+
+//- The column: heads in, net inflow of each cell out
+class Column
+{
+    const Soil soil_;
+    const int n_;
+    const double dz_;
+    const End bottom_, top_;
+
+public:
+
+    //- Heads, their points, net inflow of the cells [m/s] and the flux at the
+    //- two ends (downwards)
+    struct State
+    {
+        std::vector<double> h;
+        std::vector<Point> at;
+        std::vector<double> inflow;
+        double bottomFlux, topFlux;
+    };
+
+    //- Derivatives of the inflow by the heads below, here and above
+    struct Jacobian
+    {
+        std::vector<double> below, here, above;
+    };
+
+    Column
+    (
+        Soil soil,
+        const int n,
+        const double length,
+        const End& bottom,
+        const End& top
+    )
+    :
+        soil_(std::move(soil)),
+        n_(n),
+        dz_(length/n),
+        bottom_(bottom),
+        top_(top)
+    {}
+
+    double dz() const
+    {
+        return dz_;
+    }
+
+    void evaluate(State& state, Jacobian* jacobian) const
+    {
+        state.at.resize(n_);
+        state.inflow.assign(n_, 0);
+        if (jacobian)
+        {
+            jacobian->below.assign(n_, 0);
+            jacobian->here.assign(n_, 0);
+            jacobian->above.assign(n_, 0);
+        }
+        for (int i = 0; i < n_; ++i) state.at[i] = soil_(state.h[i]);
+
+        // Face between cell i and i + 1
+        for (int i = 0; i + 1 < n_; ++i)
+        {
+            const Point& lower = state.at[i];
+            const Point& upper = state.at[i + 1];
+            const double gradient = (state.h[i + 1] - state.h[i])/dz_ + 1;
+            const double K = 0.5*(lower.K + upper.K);
+            state.inflow[i] += K*gradient;
+            state.inflow[i + 1] -= K*gradient;
+            if (jacobian)
+            {
+                const double byLower = 0.5*lower.dKdh*gradient - K/dz_;
+                const double byUpper = 0.5*upper.dKdh*gradient + K/dz_;
+                jacobian->here[i] += byLower;
+                jacobian->above[i] += byUpper;
+                jacobian->below[i + 1] -= byLower;
+                jacobian->here[i + 1] -= byUpper;
+            }
+        }
+
+        state.bottomFlux = -endFlux(bottom_, state, 0, -1, jacobian);
+        state.topFlux = endFlux(top_, state, n_ - 1, 1, jacobian);
+    }
+
+private:
+
+    //- Inflow through an end of the column; up is 1 at the top, -1 at the
+    //- bottom
+    double endFlux
+    (
+        const End& end,
+        State& state,
+        const int cell,
+        const int up,
+        Jacobian* jacobian
+    ) const
+    {
+        const Point& inside = state.at[cell];
+        double flux = up*end.value;
+        double derivative = 0;
+        if (end.kind == End::free)
+        {
+            flux = up*inside.K;
+            derivative = up*inside.dKdh;
+        }
+        else if (end.kind == End::head)
+        {
+            const double K = 0.5*(inside.K + soil_(end.value).K);
+            const double gradient = 2*(end.value - state.h[cell])/dz_ + up;
+            flux = K*gradient;
+            derivative = 0.5*inside.dKdh*gradient - 2*K/dz_;
+        }
+        state.inflow[cell] += flux;
+        if (jacobian) jacobian->here[cell] += derivative;
+        return flux;
+    }
+};
+
+
+//- Find the heads with theta(h) - weight inflow(h)/dz = known; false without
+//- success. The state is the start and the result
+bool solve
+(
+    const Column& column,
+    const std::vector<double>& known,
+    const double weight,
+    Column::State& state,
+    long& iterations
+)
+{
+    const int n = int(known.size());
+    const double ratio = weight/column.dz();
+    Column::Jacobian jacobian;
+    std::vector<double> pivot(n), right(n), change(n);
+
+    const auto norm = [&](const Column::State& s)
+    {
+        double sum = 0;
+        for (int i = 0; i < n; ++i)
+        {
+            sum += std::abs(s.at[i].theta - ratio*s.inflow[i] - known[i]);
+        }
+        return sum;
+    };
+
+    for (int iteration = 0; iteration < 30; ++iteration)
+    {
+        column.evaluate(state, &jacobian);
+        const double before = norm(state);
+
+        // Thomas's algorithm
+        for (int i = 0; i < n; ++i)
+        {
+            const double residual =
+                state.at[i].theta - ratio*state.inflow[i] - known[i];
+            pivot[i] = state.at[i].capacity - ratio*jacobian.here[i];
+            right[i] = -residual;
+            if (i > 0)
+            {
+                const double factor = -ratio*jacobian.below[i]/pivot[i - 1];
+                pivot[i] += factor*ratio*jacobian.above[i - 1];
+                right[i] -= factor*right[i - 1];
+            }
+        }
+        double largest = 0;
+        for (int i = n - 1; i >= 0; --i)
+        {
+            change[i] = right[i];
+            if (i + 1 < n) change[i] += ratio*jacobian.above[i]*change[i + 1];
+            change[i] /= pivot[i];
+            largest = std::max
+            (
+                largest,
+                std::abs(change[i])/(1e-3 + std::abs(state.h[i]))
+            );
+        }
+        if (!std::isfinite(largest)) return false;
+        ++iterations;
+
+        double part = 1;
+        Column::State trial;
+        for (int halving = 0; ; ++halving, part *= 0.5)
+        {
+            trial.h = state.h;
+            for (int i = 0; i < n; ++i) trial.h[i] += part*change[i];
+            column.evaluate(trial, nullptr);
+            if (norm(trial) < before || largest < 1e-9) break;
+            if (halving == 8) return false;
+        }
+        state = trial;
+        if (part == 1 && largest < 1e-9) return true;
+    }
+    return false;
+}
+
+
+//- Mean of values over the part [from, to] of n equal cells (fractions)
+double meanOver
+(
+    const std::vector<double>& values,
+    const double from,
+    const double to
+)
+{
+    const int n = int(values.size());
+    double sum = 0;
+    for (int i = int(from*n); i < n && i < to*n; ++i)
+    {
+        const double part =
+            std::min(i + 1.0, to*n) - std::max(double(i), from*n);
+        sum += std::max(part, 0.0)*values[i];
+    }
+    return sum/((to - from)*n);
+}
+
+
+//- The head at which a soil holds this much water
+double headOf(const Soil& soil, const double theta)
+{
+    double dry = -1e7, wet = 0;
+    for (int i = 0; i < 200; ++i)
+    {
+        const double middle =
+            wet - dry > 1 ? -std::sqrt((1e-12 - wet)*-dry) : 0.5*(wet + dry);
+        (soil(middle).theta < theta ? dry : wet) = middle;
+    }
+    return 0.5*(wet + dry);
+}
+
+
+int run(Arguments& arguments)
+{
+    const Soil soil = readSoil(arguments);
+    const double length = arguments.number("length");
+    const int n = int(arguments.number("cells"));
+    const End bottom(arguments.word("bottom"));
+    const End top(arguments.word("top"));
+    const std::string initial = arguments.word("initial");
+    const double end = arguments.number("end");
+    const double tolerance = arguments.number("tolerance", 1e-9);
+    const int bins = int(arguments.number("bins", 400));
+    const bool hasFront = arguments.has("front");
+    const double front = arguments.number("front", 0);
+    arguments.refuseTheRest();
+
+    const Column column(soil, n, length, bottom, top);
+
+    Column::State now;
+    now.h.resize(n);
+    for (int i = 0; i < n; ++i)
+    {
+        now.h[i] =
+            initial.compare(0, 6, "table:") == 0
+          ? std::stod(initial.substr(6)) - (i + 0.5)*column.dz()
+          : std::stod(initial);
+    }
+    column.evaluate(now, nullptr);
+
+    const auto storage = [&]
+    {
+        double sum = 0;
+        for (const Point& point : now.at) sum += column.dz()*point.theta;
+        return sum;
+    };
+    const double first = storage();
+
+    // TR-BDF2: the trapezoidal rule to the part g of the step, then BDF2
+    const double g = 2 - std::sqrt(2.0);
+    const double a = 1/(g*(2 - g));
+    const double b = (1 - g)*(1 - g)*a;
+    const double c = (1 - g)/(2 - g);
+    const double k = (-3*g*g + 4*g - 2)/(12*(2 - g));
+
+    double time = 0, dt = 1e-9*end, infiltration = 0, drainage = 0;
+    long steps = 0, rejected = 0, iterations = 0;
+    std::vector<double> known(n);
+
+    while (time < end*(1 - 1e-12))
+    {
+        dt = std::min(dt, end - time);
+        Column::State middle(now);
+        for (int i = 0; i < n; ++i)
+        {
+            known[i] =
+                now.at[i].theta + 0.5*g*dt*now.inflow[i]/column.dz();
+        }
+        bool good = solve(column, known, 0.5*g*dt, middle, iterations);
+
+        Column::State next(middle);
+        double error = 0;
+        if (good)
+        {
+            for (int i = 0; i < n; ++i)
+            {
+                known[i] = a*middle.at[i].theta - b*now.at[i].theta;
+            }
+            good = solve(column, known, c*dt, next, iterations);
+        }
+        if (good)
+        {
+            for (int i = 0; i < n; ++i)
+            {
+                error += std::abs
+                (
+                    now.inflow[i]/g
+                  - middle.inflow[i]/(g*(1 - g))
+                  + next.inflow[i]/(1 - g)
+                );
+            }
+            error *= 2*std::abs(k)*dt/(column.dz()*n);
+        }
+        if (!good || error > tolerance)
+        {
+            ++rejected;
+            dt *= good ? 0.9*std::cbrt(tolerance/error) : 0.25;
+            if (dt < 1e-13*end)
+            {
+                throw std::runtime_error
+                (
+                    "the step has collapsed at " + std::to_string(time) + " s"
+                );
+            }
+            continue;
+        }
+
+        const auto passed = [&](double Column::State::* flux)
+        {
+            return
+                0.5*a*g*dt*(now.*flux + middle.*flux) + c*dt*(next.*flux);
+        };
+        infiltration += passed(&Column::State::topFlux);
+        drainage += passed(&Column::State::bottomFlux);
+
+        now = next;
+        time += dt;
+        ++steps;
+        dt *= std::min(2.0, 0.9*std::cbrt(tolerance/(error + 1e-300)));
+    }
+
+    std::printf
+    (
+        "# %d cells, tolerance %g: %ld steps, %ld rejected, %ld iterations\n"
+        "# through the top %.8g m, through the bottom %.8g m,"
+        " error of the balance %.2e m\n",
+        n, tolerance, steps, rejected, iterations,
+        infiltration, drainage, storage() - first - infiltration + drainage
+    );
+    if (hasFront)
+    {
+        for (int i = n - 1; i > 0; --i)
+        {
+            if ((now.h[i] - front)*(now.h[i - 1] - front) <= 0)
+            {
+                const double below =
+                    (now.h[i] - front)/(now.h[i] - now.h[i - 1]);
+                std::printf
+                (
+                    "# psi = %g m at a depth of %.6f m\n",
+                    front, (n - 1 - i + 0.5 + below)*column.dz()
+                );
+                break;
+            }
+        }
+    }
+
+    std::vector<double> theta(n);
+    for (int i = 0; i < n; ++i) theta[i] = now.at[i].theta;
+    for (int bin = 0; bin < bins; ++bin)
+    {
+        const double mean =
+            meanOver(theta, double(bin)/bins, (bin + 1.0)/bins);
+        std::printf
+        (
+            "%.8g %.9g %.8g\n",
+            (bin + 0.5)*length/bins, mean, headOf(soil, mean)
+        );
+    }
+    return 0;
+}
+
+} // End anonymous namespace
+
+// * * * * * * * * * * * * * * * * * Main  * * * * * * * * * * * * * * * * * //
+
+int main(int argc, char* argv[])
+{
+    try
+    {
+        Arguments arguments(argc, argv);
+        return run(arguments);
+    }
+    catch (const std::exception& error)
+    {
+        std::fprintf(stderr, "richardsColumn: %s\n", error.what());
+        return 1;
+    }
+}
+
+// ************************************************************************* //
