@@ -21,6 +21,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "mpmEnergy.H"
+#include "neoHookean.H"
+#include "mpmPointTensor.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -28,18 +30,6 @@ namespace mpm
 {
 namespace
 {
-
-inline SymmetricTensor<2, double> tensor(const Stress<2>& s)
-{
-    return {s[0], s[1], s[2], s[3]};
-}
-
-
-inline SymmetricTensor<3, double> tensor(const Stress<3>& s)
-{
-    return {s[0], s[1], s[2], s[3], s[4], s[5]};
-}
-
 
 //- Moment of momentum about the origin, z alone in a section
 void addAngularMomentum
@@ -115,10 +105,15 @@ void mpm::sumEnergies
         }
         addAngularMomentum(cloud, i, secondMoment, sums.angularMomentum);
 
-        sums.elasticEnergy += cloud.volume[i]*elasticEnergyDensity
+        const LawTable::Law& law = state.laws[cloud.law[i]];
+        sums.elasticEnergy += cloud.volume[i]*
         (
-            tensor(cloud.sigma[i]),
-            state.laws[cloud.law[i]].soil.moduli
+            law.model == LawTable::Model::neoHookean
+          ? neoHookeanEnergyDensity
+            (
+                tensor(cloud.leftCauchyGreen[i]), law.soil.moduli
+            )
+          : elasticEnergyDensity(tensor(cloud.sigma[i]), law.soil.moduli)
         );
     }
 }

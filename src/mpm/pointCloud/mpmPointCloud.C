@@ -50,6 +50,16 @@ void mpm::PointCloud<Dim>::assign(const PointData& data)
             data.porePressure.empty() ? 0.0 : data.porePressure[i];
         id[i] = std::int32_t(i);
     }
+    leftCauchyGreen.clear();
+}
+
+
+template<int Dim>
+void mpm::PointCloud<Dim>::keepDeformation()
+{
+    Stress<Dim> unit{};
+    unit[0] = unit[1] = unit[2] = 1;
+    leftCauchyGreen.assign(size(), unit);
 }
 
 
@@ -61,7 +71,7 @@ void mpm::PointCloud<Dim>::reorder(const std::vector<std::int32_t>& order)
         [&order](auto& a)
         {
             typename std::remove_reference<decltype(a)>::type sorted(a.size());
-            for (std::size_t i = 0; i < order.size(); ++i)
+            for (std::size_t i = 0; i < a.size(); ++i)
             {
                 sorted[i] = a[order[i]];
             }

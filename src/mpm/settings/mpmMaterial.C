@@ -29,7 +29,7 @@ const std::vector<std::string>& mpm::Material::constitutiveModels()
 {
     static const std::vector<std::string> names
     {
-        "MohrCoulomb", "linearElastic"
+        "MohrCoulomb", "linearElastic", "neoHookean"
     };
     return names;
 }

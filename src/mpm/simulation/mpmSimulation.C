@@ -23,7 +23,9 @@ License
 #include "mpmSimulation.H"
 #include "mpmBinary.H"
 #include "mpmNames.H"
+#include "mpmPointTensor.H"
 #include "mpmSort.H"
+#include "neoHookean.H"
 
 #include <sstream>
 #include <stdexcept>
@@ -81,8 +83,15 @@ void mpm::Simulation<Dim>::findSpeeds()
         {
             speed2 += v*v;
         }
-        const double wave2 =
-            state_.laws[cloud.law[i]].stiffness*cloud.volume[i]/cloud.mass[i];
+        const LawTable::Law& law = state_.laws[cloud.law[i]];
+        const double stiffness =
+            law.model == LawTable::Model::neoHookean
+          ? neoHookeanStiffness
+            (
+                tensor(cloud.leftCauchyGreen[i]), law.soil.moduli
+            )
+          : law.stiffness;
+        const double wave2 = stiffness*cloud.volume[i]/cloud.mass[i];
 
         clock_.speed2 = std::max(clock_.speed2, speed2);
         clock_.wave2 = std::max(clock_.wave2, wave2);
@@ -240,6 +249,11 @@ mpm::Simulation<Dim>::Simulation
     {
         state_.cloud.law[i] = state_.laws.find(points.zone[i], angles[i]);
     }
+    if (state_.laws.needsDeformation())
+    {
+        refuseStressOfDeformation(field("sigma"));
+        state_.cloud.keepDeformation();
+    }
 
     findSpeeds();
     sort();
@@ -314,7 +328,7 @@ void mpm::Simulation<Dim>::useGenericKernels()
 template<int Dim>
 void mpm::Simulation<Dim>::save(std::ostream& os) const
 {
-    static const char magic[] = "slideFoam mpm 1";
+    static const char magic[] = "slideFoam mpm 2";
     os.write(magic, sizeof(magic));
     writeBinary(os, std::int32_t(Dim));
     writeBinary(os, state_.settings.cellSize);
@@ -343,11 +357,11 @@ void mpm::Simulation<Dim>::save(std::ostream& os) const
 template<int Dim>
 void mpm::Simulation<Dim>::restore(std::istream& is)
 {
-    char magic[sizeof("slideFoam mpm 1")];
+    char magic[sizeof("slideFoam mpm 2")];
     std::int32_t dim = 0;
     double cellSize = 0;
     is.read(magic, sizeof(magic));
-    if (!is || std::string(magic, sizeof(magic) - 1) != "slideFoam mpm 1")
+    if (!is || std::string(magic, sizeof(magic) - 1) != "slideFoam mpm 2")
     {
         throw std::runtime_error("This is not a saved run");
     }
@@ -388,6 +402,13 @@ void mpm::Simulation<Dim>::restore(std::istream& is)
     }
     state_.laws = laws;
     state_.cloud.read(is);
+    if (laws.needsDeformation() == state_.cloud.leftCauchyGreen.empty())
+    {
+        throw std::runtime_error
+        (
+            "The saved run was made with other constitutive models"
+        );
+    }
     state_.grid.read(is);
     state_.reports.resize(state_.grid.size());
 

@@ -23,9 +23,46 @@ License
 #include "mpmNames.H"
 #include "mpmSimulation.H"
 
+#include <algorithm>
 #include <stdexcept>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<int Dim>
+void mpm::Simulation<Dim>::refuseStressOfDeformation
+(
+    const std::vector<double>& sigma
+) const
+{
+    const PointCloud<Dim>& cloud = state_.cloud;
+    const int nComponents = Run::nComponents("sigma");
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+    {
+        const LawTable::Law& law = state_.laws[cloud.law[i]];
+        const auto first =
+            sigma.begin() + std::size_t(cloud.id[i])*nComponents;
+        if
+        (
+            law.model == LawTable::Model::neoHookean
+         && std::any_of
+            (
+                first,
+                first + nComponents,
+                [](const double s) { return s != 0; }
+            )
+        )
+        {
+            throw std::invalid_argument
+            (
+                "point " + std::to_string(cloud.id[i])
+              + ": sigma is given, but that of material "
+              + state_.laws.materials()[law.zone].name
+              + " (neoHookean) follows from its deformation"
+            );
+        }
+    }
+}
+
 
 template<int Dim>
 void mpm::Simulation<Dim>::setFrictionAngle(const std::vector<double>& angles)
@@ -169,7 +206,11 @@ void mpm::Simulation<Dim>::setField
     else if (name == "frictionAngle") setFrictionAngle(values);
     else if (name == "porePressure") scalars(cloud.porePressure);
     else if (name == "equivalentPlasticStrain") scalars(cloud.plasticStrain);
-    else if (name == "sigma") arrays(cloud.sigma);
+    else if (name == "sigma")
+    {
+        refuseStressOfDeformation(values);
+        arrays(cloud.sigma);
+    }
     else if (name == "displacement") arrays(cloud.displacement);
     else
     {
@@ -180,6 +221,15 @@ void mpm::Simulation<Dim>::setField
 
 
 // * * * * * * * * * * * * * Explicit Instantiations * * * * * * * * * * * * //
+
+template void mpm::Simulation<2>::refuseStressOfDeformation
+(
+    const std::vector<double>&
+) const;
+template void mpm::Simulation<3>::refuseStressOfDeformation
+(
+    const std::vector<double>&
+) const;
 
 template void mpm::Simulation<2>::setFrictionAngle(const std::vector<double>&);
 template void mpm::Simulation<3>::setFrictionAngle(const std::vector<double>&);

@@ -22,7 +22,10 @@ License
 
 #include "mpmNames.H"
 #include "mpmOverburden.H"
+#include "mpmPointTensor.H"
 #include "mpmSimulation.H"
+
+#include <stdexcept>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -30,18 +33,6 @@ namespace mpm
 {
 namespace
 {
-
-inline SymmetricTensor<2, double> tensor(const Stress<2>& s)
-{
-    return {s[0], s[1], s[2], s[3]};
-}
-
-
-inline SymmetricTensor<3, double> tensor(const Stress<3>& s)
-{
-    return {s[0], s[1], s[2], s[3], s[4], s[5]};
-}
-
 
 //- -(horizontal I + (vertical - horizontal) up up)
 inline Stress<2> columnStress
@@ -88,6 +79,15 @@ template<int Dim>
 void mpm::Simulation<Dim>::setColumnStress(const StartSettings& settings)
 {
     PointCloud<Dim>& cloud = state_.cloud;
+    if (state_.laws.needsDeformation())
+    {
+        throw std::invalid_argument
+        (
+            "initialState type columnK0 with constitutiveModel neoHookean, "
+            "whose stress is that of its deformation: use elasticGravity"
+        );
+    }
+
     const Vector<Dim> upward = up(state_.settings);
     double g2 = 0;
     for (const double g : state_.gravity)

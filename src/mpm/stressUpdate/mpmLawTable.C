@@ -23,6 +23,26 @@ License
 #include "mpmLawTable.H"
 #include "mpmNames.H"
 
+#include <algorithm>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+mpm::LawTable::Model modelOf(const mpm::Material& material)
+{
+    typedef mpm::LawTable::Model Model;
+
+    return
+        material.constitutiveModel == "linearElastic" ? Model::linearElastic
+      : material.constitutiveModel == "neoHookean" ? Model::neoHookean
+      : Model::MohrCoulomb;
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 mpm::LawTable::LawTable(const std::vector<Material>& materials)
@@ -51,7 +71,9 @@ int mpm::LawTable::find(const int zone, const double frictionAngle)
     Law law;
     law.zone = zone;
     law.frictionAngle = frictionAngle;
-    law.elastic = material.constitutiveModel == "linearElastic";
+    law.model = modelOf(material);
+    law.elastic =
+        law.model == Model::linearElastic || law.model == Model::neoHookean;
     law.tensileStrength =
         material.tensionCutOff ? material.tensileStrength : unlimited;
     law.stiffness = material.constrainedModulus();
@@ -86,14 +108,29 @@ int mpm::LawTable::find(const int zone, const double frictionAngle)
 
 bool mpm::LawTable::tensionCutOff() const
 {
-    for (const Material& material : materials_)
-    {
-        if (material.tensionCutOff)
-        {
-            return true;
-        }
-    }
-    return false;
+    return std::any_of
+    (
+        materials_.begin(),
+        materials_.end(),
+        [](const Material& m) { return m.tensionCutOff; }
+    );
+}
+
+
+bool mpm::LawTable::common() const
+{
+    return !needsDeformation();
+}
+
+
+bool mpm::LawTable::needsDeformation() const
+{
+    return std::any_of
+    (
+        materials_.begin(),
+        materials_.end(),
+        [](const Material& m) { return modelOf(m) == Model::neoHookean; }
+    );
 }
 
 

@@ -1,0 +1,135 @@
+/*---------------------------------------------------------------------------*\
+    slideFoam | from rain to runout
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by the
+    Free Software Foundation, either version 3 of the License, or (at your
+    option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE. See the GNU General Public License for
+    more details.
+
+    You should have received a copy of the GNU General Public License along
+    with slideFoam. If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "mpmStressUpdate.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<int Dim>
+mpm::Lanes mpm::StressUpdate<Dim>::updateByLaw
+(
+    PointCloud<Dim>& cloud,
+    const std::int32_t* p,
+    const int n,
+    const Lanes* gradient
+) const
+{
+    Lanes wave2(0.0);
+    bool done[laneCount] = {};
+    for (int first = 0; first < n; ++first)
+    {
+        if (done[first])
+        {
+            continue;
+        }
+
+        // Points of this law side by side; the first one fills what is left
+        const std::int32_t law = cloud.law[p[first]];
+        std::int32_t points[laneCount];
+        int lane[laneCount];
+        int count = 0;
+        for (int l = first; l < n; ++l)
+        {
+            if (cloud.law[p[l]] == law)
+            {
+                points[count] = p[l];
+                lane[count++] = l;
+                done[l] = true;
+            }
+        }
+        for (int l = count; l < laneCount; ++l)
+        {
+            points[l] = points[0];
+            lane[l] = lane[0];
+        }
+        Lanes g[Dim*Dim];
+        for (int k = 0; k < Dim*Dim; ++k)
+        {
+            for (int l = 0; l < laneCount; ++l)
+            {
+                g[k].v[l] = gradient[k][lane[l]];
+            }
+        }
+
+        const Lanes speeds =
+            laws_[law].model == LawTable::Model::neoHookean
+          ? updateNeoHookean(laws_[law], cloud, points, count, g)
+          : updateCommon(cloud, points, count, g);
+        for (int l = 0; l < count; ++l)
+        {
+            wave2.v[lane[l]] = speeds[l];
+        }
+    }
+
+    // Lanes that do not count take after the first
+    for (int l = n; l < laneCount; ++l)
+    {
+        wave2.v[l] = wave2[0];
+    }
+    return wave2;
+}
+
+
+template<int Dim>
+mpm::Lanes mpm::StressUpdate<Dim>::updateNeoHookean
+(
+    const LawTable::Law& law,
+    PointCloud<Dim>& cloud,
+    const std::int32_t* p,
+    const int n,
+    const Lanes* gradient
+) const
+{
+    Lanes g[Dim*Dim];
+    for (int k = 0; k < Dim*Dim; ++k)
+    {
+        g[k] = deltaT_*gradient[k];
+    }
+
+    SymmetricTensor<Dim, Lanes> b;
+    load(cloud.leftCauchyGreen, p, b);
+    const Lanes volume = deform(b, g)*gather
+    (
+        p, [&](const std::int32_t i) { return cloud.volume[i]; }
+    );
+    const Lanes mass = gather
+    (
+        p, [&](const std::int32_t i) { return cloud.mass[i]; }
+    );
+    store(b, p, n, cloud.leftCauchyGreen);
+    store(neoHookeanStress(b, law.lanes.moduli), p, n, cloud.sigma);
+    for (int l = 0; l < n; ++l)
+    {
+        cloud.volume[p[l]] = volume[l];
+    }
+
+    return neoHookeanStiffness(b, law.lanes.moduli)*volume/mass;
+}
+
+
+// * * * * * * * * * * * * * Explicit Instantiations * * * * * * * * * * * * //
+
+template class mpm::StressUpdate<2>;
+template class mpm::StressUpdate<3>;
+
+
+// ************************************************************************* //
