@@ -61,6 +61,15 @@ Foam::scalar Foam::exactFields::tracy::conductivity
     const scalar t
 ) const
 {
+    const scalar across =
+        sin(waveX_*p.x())*(waveY_ > 0 ? sin(waveY_*p.y()) : 1);
+
+    // At the start only the top is wet
+    if (t <= 0)
+    {
+        return dry_ + (p.z() > (1 - SMALL)*height_ ? (1 - dry_)*across : 0);
+    }
+
     const scalar b2 = 0.25*sqr(alpha_) + sqr(waveX_) + sqr(waveY_);
     const scalar rate = Ks_/(alpha_*porosity_);
 
@@ -79,13 +88,9 @@ Foam::scalar Foam::exactFields::tracy::conductivity
            *sin(l*p.z())*decay;
     }
 
-    const scalar across =
-        sin(waveX_*p.x())*(waveY_ > 0 ? sin(waveY_*p.y()) : 1);
-
     return
         dry_
-      + (1 - dry_)*across*exp(0.5*alpha_*(height_ - p.z()))
-       *(t > 0 ? max(w, scalar(0)) : 0);
+      + (1 - dry_)*across*exp(0.5*alpha_*(height_ - p.z()))*max(w, scalar(0));
 }
 
 // ************************************************************************* //
