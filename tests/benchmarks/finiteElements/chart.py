@@ -6,13 +6,11 @@ slideFoam | from rain to runout
 Copyright (C) 2026 the slideFoam authors, GPL-3.0-or-later
 """
 
-import csv
+import pathlib
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402 (the backend comes first)
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from chartTools import plt, run, where  # noqa: E402
 
 STYLES = {
     "finiteVolume": ("finite volumes", "tab:blue", "o"),
@@ -22,21 +20,12 @@ STYLES = {
 CASES = {"celia": "dry column", "slope": "validation slope, rain"}
 
 
-def read(path):
-    """Rows of the table, and what its comments say."""
-    with open(path, encoding="utf-8") as table:
-        lines = table.read().splitlines()
-    notes = [line[2:] for line in lines if line.startswith("#")]
-    return notes, list(csv.DictReader(line for line in lines if not line.startswith("#")))
-
-
-def main(source, target):
+def draw(rows):
     """A column of panels for each case: water content, then the balances."""
-    notes, rows = read(source)
     figure, panels = plt.subplots(2, len(CASES), figsize=(10, 8))
     for (case, title), (error, balance) in zip(CASES.items(), panels.T):
         for method, (label, colour, marker) in STYLES.items():
-            line = [r for r in rows if r["case"] == case and r["method"] == method]
+            line = where(rows, case=case, method=method)
             seconds = [float(r["cpu_s"]) for r in line]
             error.loglog(seconds, [float(r["L1theta"]) for r in line],
                          color=colour, marker=marker, label=label)
@@ -55,12 +44,8 @@ def main(source, target):
         balance.set_ylabel("relative error of the water balance")
         balance.legend(fontsize=7)
     panels[0, 0].legend(fontsize=8)
-    figure.suptitle("; ".join(notes), fontsize=6)
-    figure.tight_layout()
-    figure.savefig(target, dpi=110)
+    return figure
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
-        raise SystemExit(__doc__)
-    main(*sys.argv[1:])
+    run(draw, __doc__)
