@@ -186,8 +186,9 @@ mpm::Settings Foam::landslideRunout::settings(const slidePoints& points) const
         dict,
         {
             "shapeFunction", "transferScheme", "stressUpdate", "flipTime",
-            "flipBlend", "cfl", "maxDeltaT", "sortInterval", "threads",
-            "massCutOff", "movedDistance", "restVelocity", "frontDirection"
+            "flipBlend", "xpicOrder", "cfl", "maxDeltaT", "sortInterval",
+            "threads", "massCutOff", "movedDistance", "restVelocity",
+            "frontDirection"
         }
     );
 
@@ -213,6 +214,7 @@ mpm::Settings Foam::landslideRunout::settings(const slidePoints& points) const
 
     dict.readIfPresent("flipTime", s.flipTime);
     dict.readIfPresent("flipBlend", s.flipBlend);
+    dict.readIfPresent("xpicOrder", s.xpicOrder);
     dict.readIfPresent("cfl", s.cfl);
     dict.readIfPresent("maxDeltaT", s.maxDeltaT);
     dict.readIfPresent("sortInterval", s.sortInterval);

@@ -35,7 +35,7 @@ std::unique_ptr<mpm::Cycle<Dim>> mpm::Cycle<Dim>::New
     (
         settings.shapeFunction == "quadraticBSpline"
      && settings.transferScheme == "APIC"
-     && settings.stressUpdate == "last"
+     && settings.stressUpdate == "USL"
     )
     {
         return std::make_unique<FusedCycle<Dim>>();
@@ -50,9 +50,18 @@ std::unique_ptr<mpm::Cycle<Dim>> mpm::Cycle<Dim>::NewGeneric
     const Settings& settings
 )
 {
-    if (settings.shapeFunction == "linear")
+    const std::string& shape = settings.shapeFunction;
+    if (shape == "linear")
     {
         return std::make_unique<GenericCycle<Dim, LinearShape>>(settings);
+    }
+    if (shape == "uGIMP" || shape == "cpGIMP")
+    {
+        return std::make_unique<GenericCycle<Dim, GIMPShape>>(settings);
+    }
+    if (shape == "cubicBSpline")
+    {
+        return std::make_unique<GenericCycle<Dim, CubicBSpline>>(settings);
     }
     return std::make_unique<GenericCycle<Dim, QuadraticBSpline>>(settings);
 }

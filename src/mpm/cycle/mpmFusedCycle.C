@@ -70,7 +70,7 @@ void mpm::FusedCycle<Dim>::step(State<Dim>& state, const double deltaT)
     (
         [&state, &dv](const std::size_t b)
         {
-            sumVelocities(state, b);
+            sumVelocities<Dim, reach>(state, b);
             accelerate<Dim>(state, b, dv);
             applyWalls(state, b);
         }
@@ -95,7 +95,7 @@ void mpm::FusedCycle<Dim>::scatter(State<Dim>& state, const double deltaT)
     (
         [&state](const std::size_t b)
         {
-            state.grid.sum
+            state.grid.template sum<reach>
             (
                 state.grid.patches, state.grid[b], state.grid.nodesOf(b)
             );

@@ -22,99 +22,29 @@ License
 
 #include "mpmGenericCycle.H"
 #include "mpmGridUpdate.H"
-#include "mpmStencil.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<int Dim, class Shape>
-void mpm::GenericCycle<Dim, Shape>::balance
+void mpm::GenericCycle<Dim, Shape>::addImpulse
 (
     State<Dim>& state,
     const std::size_t b,
     const double deltaT
-)
+) const
 {
     Node* nodes = state.grid.nodesOf(b);
-    const Node* forces = forces_.data() + b*BlockGrid<Dim>::nNodes;
     const Node* before = before_.data() + b*BlockGrid<Dim>::nNodes;
+    state.grid.template sum<reach>(state.grid.patches, state.grid[b], nodes);
 
     for (int i = 0; i < BlockGrid<Dim>::nNodes; ++i)
     {
+        const Node impulse = nodes[i];
         nodes[i] = before[i];
-        const double m = nodes[i][massOf];
+        const double m = before[i][massOf];
         for (int d = 0; m > 0 && d < Dim; ++d)
         {
-            nodes[i][d] += deltaT*(forces[i][d]/m + state.gravity[d]);
-        }
-    }
-    applyWalls(state, b);
-}
-
-
-template<int Dim, class Shape>
-void mpm::GenericCycle<Dim, Shape>::updateStress
-(
-    State<Dim>& state,
-    const std::size_t b,
-    const NodeField& velocity,
-    const StressUpdate<Dim>& stressUpdate
-) const
-{
-    const Block& block = state.grid[b];
-    if (block.points.empty())
-    {
-        return;
-    }
-
-    alignas(64) Node patch[BlockGrid<Dim>::nPatchNodes];
-    state.grid.collect(velocity, block, patch);
-
-    Stencil<Dim, Shape> stencil(state.grid.cellSize(), affine_);
-    for (std::size_t i = 0; i < block.points.size(); i += stencil.size)
-    {
-        stencil.take(state.cloud.x, state.grid, block, i);
-        for (int first = 0; first < stencil.count(); first += laneCount)
-        {
-            Lanes L[Dim*Dim];
-            for (int k = 0; k < Dim*Dim; ++k)
-            {
-                L[k] = Lanes(0.0);
-            }
-            for (int l = 0; l < laneCount; ++l)
-            {
-                stencil.forNodes
-                (
-                    first + l,
-                    [&]
-                    (
-                        const int node,
-                        const double,
-                        const Vector<Dim>& gradient,
-                        const Vector<Dim>&
-                    )
-                    {
-                        for (int k = 0; k < Dim*Dim; ++k)
-                        {
-                            L[k].v[l] += patch[node][k%Dim]*gradient[k/Dim];
-                        }
-                    }
-                );
-            }
-
-            const int count = std::min(laneCount, stencil.count() - first);
-            const Lanes wave2 = stressUpdate.update
-            (
-                state.cloud, stencil.points() + first, count, L
-            );
-            for (int l = 0; l < count; ++l)
-            {
-                BlockReport<Dim>& report = state.reports[b];
-                report.wave2 = std::max(report.wave2, wave2.v[l]);
-                if (!(wave2.v[l] > 0))
-                {
-                    report.broken = stencil.points()[first + l];
-                }
-            }
+            nodes[i][d] += impulse[d]/m + deltaT*state.gravity[d];
         }
     }
 }
@@ -138,142 +68,112 @@ void mpm::GenericCycle<Dim, Shape>::keep
 
 
 template<int Dim, class Shape>
-void mpm::GenericCycle<Dim, Shape>::gather
+void mpm::GenericCycle<Dim, Shape>::balance
 (
     State<Dim>& state,
-    const std::size_t b,
+    const StressUpdate<Dim>& stress,
     const double deltaT
-) const
+)
 {
-    const Block& block = state.grid[b];
-    if (block.points.empty())
+    typedef const std::size_t Index;
+
+    const bool stressFirst = scheme_.update() == Scheme::Update::USF;
+    if (!stressFirst && !scheme_.needsChange())
     {
+        Vector<Dim> dv;
+        for (int d = 0; d < Dim; ++d)
+        {
+            dv[d] = deltaT*state.gravity[d];
+        }
+        state.forBlocks
+        (
+            [&](Index b) { scatterPoints(state, b, true, deltaT); }
+        );
+        state.forBlocks
+        (
+            [&](Index b)
+            {
+                sumVelocities<Dim, reach>(state, b);
+                accelerate<Dim>(state, b, dv);
+                applyWalls(state, b);
+            }
+        );
         return;
     }
 
-    alignas(64) Node after[BlockGrid<Dim>::nPatchNodes];
-    alignas(64) Node before[BlockGrid<Dim>::nPatchNodes];
-    state.grid.collect(after_, block, after);
-    state.grid.collect(before_, block, before);
-
-    const Settings& settings = state.settings;
-    const double share =
-        affine_ ? 0
-      : settings.flipBlend >= 0 ? settings.flipBlend
-      : std::exp(-deltaT/settings.flipTime);
-
-    PointCloud<Dim>& cloud = state.cloud;
-    Stencil<Dim, Shape> stencil(state.grid.cellSize(), affine_);
-    for (std::size_t i = 0; i < block.points.size(); i += stencil.size)
-    {
-        stencil.take(cloud.x, state.grid, block, i);
-        for (int l = 0; l < stencil.count(); ++l)
+    before_.resize(state.grid.nodes.size());
+    state.forBlocks([&](Index b) { scatterPoints(state, b, true, 0); });
+    state.forBlocks
+    (
+        [&](Index b)
         {
-            const std::int32_t p = stencil.points()[l];
-            Vector<Dim> v{}, change{};
-            Tensor<Dim> C{};
-            stencil.forNodes
-            (
-                l,
-                [&]
-                (
-                    const int node,
-                    const double weight,
-                    const Vector<Dim>& gradient,
-                    const Vector<Dim>&
-                )
-                {
-                    for (int r = 0; r < Dim; ++r)
-                    {
-                        v[r] += weight*after[node][r];
-                        change[r] +=
-                            weight*(after[node][r] - before[node][r]);
-                        for (int c = 0; c < Dim; ++c)
-                        {
-                            C[c*Dim + r] += after[node][r]*gradient[c];
-                        }
-                    }
-                }
-            );
-
-            for (int d = 0; d < Dim; ++d)
+            sumVelocities<Dim, reach>(state, b);
+            applyHoldingWalls(state, b);
+            keep(state, b, before_);
+            if (stressFirst)
             {
-                cloud.v[p][d] =
-                    share*(cloud.v[p][d] + change[d]) + (1 - share)*v[d];
-            }
-            if (affine_)
-            {
-                cloud.C[p] = C;
+                applyWalls(state, b);
             }
         }
-    }
+    );
+    state.forBlocks
+    (
+        [&](Index b)
+        {
+            if (stressFirst)
+            {
+                updateAndScatter(state, b, stress, deltaT);
+            }
+            else
+            {
+                scatterPoints(state, b, false, deltaT);
+            }
+        }
+    );
+    state.forBlocks
+    (
+        [&](Index b)
+        {
+            addImpulse(state, b, deltaT);
+            applyWalls(state, b);
+        }
+    );
 }
 
 
 template<int Dim, class Shape>
-void mpm::GenericCycle<Dim, Shape>::move
-(
-    State<Dim>& state,
-    const std::size_t b,
-    const double deltaT
-) const
+void mpm::GenericCycle<Dim, Shape>::filter(State<Dim>& state)
 {
-    Block& block = state.grid[b];
-    if (block.points.empty())
+    typedef const std::size_t Index;
+
+    // I - (I - A)^m = A (sum over k < m of c_k A^k) with A from nodes to
+    // points and back: the sum acts on the nodes, c_k = (-1)^k m!/(k+1)!/(m-k-1)!
+    const std::size_t n = state.grid.nodes.size();
+    double c = scheme_.order();
+    filtered_.resize(n);
+    for (std::size_t i = 0; i < n; ++i)
     {
-        return;
+        filtered_[i] = c*before_[i];
     }
-
-    alignas(64) Node after[BlockGrid<Dim>::nPatchNodes];
-    state.grid.collect(after_, block, after);
-
-    PointCloud<Dim>& cloud = state.cloud;
-    BlockReport<Dim>& report = state.reports[b];
-    Stencil<Dim, Shape> stencil(state.grid.cellSize(), affine_);
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < block.points.size(); i += stencil.size)
+    state.grid.nodes = before_;
+    for (int k = 1; k < scheme_.order(); ++k)
     {
-        stencil.take(cloud.x, state.grid, block, i);
-        for (int l = 0; l < stencil.count(); ++l)
+        c *= -double(scheme_.order() - k)/(k + 1);
+        state.forBlocks([&](Index b) { smooth(state, b); });
+        state.forBlocks
+        (
+            [&](Index b)
+            {
+                sumVelocities<Dim, reach>(state, b);
+                applyHoldingWalls(state, b);
+            }
+        );
+        for (std::size_t i = 0; i < n; ++i)
         {
-            Vector<Dim> dx{};
-            stencil.forNodes
-            (
-                l,
-                [&]
-                (
-                    const int node,
-                    const double weight,
-                    const Vector<Dim>&,
-                    const Vector<Dim>&
-                )
-                {
-                    for (int d = 0; d < Dim; ++d)
-                    {
-                        dx[d] += deltaT*weight*after[node][d];
-                    }
-                }
-            );
-
-            const std::int32_t p = stencil.points()[l];
-            double speed2 = 0;
-            for (int d = 0; d < Dim; ++d)
-            {
-                cloud.x[p][d] += dx[d];
-                cloud.displacement[p][d] += dx[d];
-                speed2 += cloud.v[p][d]*cloud.v[p][d];
-            }
-            report.speed2 = std::max(report.speed2, speed2);
-            report.kineticEnergy += 0.5*cloud.mass[p]*speed2;
-
-            project(state, block, p, report);
-            if (belongs<Dim, Shape>(state, block, p, report))
-            {
-                block.points[kept++] = p;
-            }
+            filtered_[i] += c*state.grid.nodes[i];
         }
     }
-    block.points.resize(kept);
+    state.grid.nodes = after_;
 }
 
 
@@ -282,8 +182,7 @@ void mpm::GenericCycle<Dim, Shape>::move
 template<int Dim, class Shape>
 mpm::GenericCycle<Dim, Shape>::GenericCycle(const Settings& settings)
 :
-    affine_(settings.transferScheme == "APIC"),
-    stressFirst_(settings.stressUpdate == "first")
+    scheme_(settings)
 {}
 
 
@@ -298,73 +197,48 @@ void mpm::GenericCycle<Dim, Shape>::step
 {
     typedef const std::size_t Index;
 
-    BlockGrid<Dim>& grid = state.grid;
-    before_.resize(grid.nodes.size());
-    after_.resize(grid.nodes.size());
-    forces_.resize(grid.nodes.size());
-
-    const StressUpdate<Dim> stress(state.laws, deltaT, state.elastic);
-
-    state.forBlocks
-    (
-        [&](Index b)
-        {
-            state.reports[b].reset();
-            scatterMomentum(state, b);
-        }
-    );
-    state.forBlocks
-    (
-        [&](Index b)
-        {
-            sumVelocities(state, b);
-            keep(state, b, before_);
-            if (stressFirst_)
-            {
-                applyWalls(state, b);
-            }
-        }
-    );
-
-    if (stressFirst_)
+    for (BlockReport<Dim>& report : state.reports)
     {
-        state.forBlocks
-        (
-            [&](Index b) { updateStress(state, b, grid.nodes, stress); }
-        );
+        report.reset();
     }
-    state.forBlocks([&](Index b) { scatterForces(state, b); });
+    const StressUpdate<Dim> stress(state.laws, deltaT, state.elastic);
+    balance(state, stress, deltaT);
+
+    const bool mapsTwice = scheme_.update() == Scheme::Update::MUSL;
+    if (mapsTwice || scheme_.filters())
+    {
+        after_ = state.grid.nodes;
+    }
+    if (scheme_.filters())
+    {
+        filter(state);
+    }
+
+    const bool stressLast = scheme_.update() == Scheme::Update::USL;
     state.forBlocks
     (
         [&](Index b)
         {
-            sumForces(state, b);
-            balance(state, b, deltaT);
-            keep(state, b, after_);
+            gather(state, b, stressLast ? &stress : nullptr, !mapsTwice, deltaT);
         }
     );
-    state.forBlocks([&](Index b) { gather(state, b, deltaT); });
 
-    if (!stressFirst_ && !affine_)
+    if (mapsTwice)
     {
-        state.forBlocks([&](Index b) { scatterMomentum(state, b); });
+        state.forBlocks([&](Index b) { scatterPoints(state, b, true, 0); });
         state.forBlocks
         (
             [&](Index b)
             {
-                sumVelocities(state, b);
+                sumVelocities<Dim, reach>(state, b);
                 applyWalls(state, b);
             }
         );
-    }
-    if (!stressFirst_)
-    {
         state.forBlocks
         (
-            [&](Index b) { updateStress(state, b, grid.nodes, stress); }
+            [&](Index b) { updateAndMove(state, b, stress, deltaT); }
         );
     }
-    state.forBlocks([&](Index b) { move(state, b, deltaT); });
 }
 
 
@@ -377,27 +251,15 @@ void mpm::GenericCycle<Dim, Shape>::scatter
 {
     typedef const std::size_t Index;
 
-    BlockGrid<Dim>& grid = state.grid;
-    forces_.resize(grid.nodes.size());
-
-    state.forBlocks([&](Index b) { scatterForces(state, b); });
-    state.forBlocks([&](Index b) { sumForces(state, b); });
-    state.forBlocks([&](Index b) { scatterMomentum(state, b); });
+    state.forBlocks([&](Index b) { scatterPoints(state, b, true, deltaT); });
     state.forBlocks
     (
         [&](Index b)
         {
-            Node* nodes = grid.nodesOf(b);
-            const Node* forces =
-                forces_.data() + b*BlockGrid<Dim>::nNodes;
-            grid.sum(grid.patches, grid[b], nodes);
-            for (int i = 0; i < BlockGrid<Dim>::nNodes; ++i)
-            {
-                for (int d = 0; d < Dim; ++d)
-                {
-                    nodes[i][d] += deltaT*forces[i][d];
-                }
-            }
+            state.grid.template sum<reach>
+            (
+                state.grid.patches, state.grid[b], state.grid.nodesOf(b)
+            );
         }
     );
 }
@@ -405,10 +267,14 @@ void mpm::GenericCycle<Dim, Shape>::scatter
 
 // * * * * * * * * * * * * * Explicit Instantiations * * * * * * * * * * * * //
 
-template class mpm::GenericCycle<2, mpm::QuadraticBSpline>;
-template class mpm::GenericCycle<3, mpm::QuadraticBSpline>;
 template class mpm::GenericCycle<2, mpm::LinearShape>;
+template class mpm::GenericCycle<2, mpm::GIMPShape>;
+template class mpm::GenericCycle<2, mpm::QuadraticBSpline>;
+template class mpm::GenericCycle<2, mpm::CubicBSpline>;
 template class mpm::GenericCycle<3, mpm::LinearShape>;
+template class mpm::GenericCycle<3, mpm::GIMPShape>;
+template class mpm::GenericCycle<3, mpm::QuadraticBSpline>;
+template class mpm::GenericCycle<3, mpm::CubicBSpline>;
 
 
 // ************************************************************************* //

@@ -66,7 +66,7 @@ inline void received
         v += all(batch.w[1][y][l])*row;
         vx += all(batch.w[1][y][l])*rowX;
         vy += all(batch.wd[1][y][l])*row;
-        source += BlockGrid<2>::patchEdge;
+        source += Batch2::patchEdge;
     }
     sums[0] = v;
     sums[1] = vx;
@@ -82,7 +82,7 @@ inline void received
     Node* sums
 )
 {
-    constexpr int edge = BlockGrid<3>::patchEdge;
+    constexpr int edge = Batch3::patchEdge;
 
     Node v{}, vx{}, vy{}, vz{};
     for (int z = 0; z < 3; ++z)
@@ -188,10 +188,11 @@ void mpm::gatherAPIC
         return;
     }
 
-    alignas(64) Node patch[BlockGrid<Dim>::nPatchNodes];
-    state.grid.collect(state.grid.nodes, block, patch);
-
     typedef ShapeBatch<Dim, QuadraticBSpline> Batch;
+
+    alignas(64) Node patch[BlockGrid<Dim>::nPatchNodes(Batch::reach)];
+    state.grid.template collect<Batch::reach>(state.grid.nodes, block, patch);
+
     constexpr double shift = QuadraticBSpline::shift;
     constexpr double end = BlockGrid<Dim>::edge + shift;
     const double perMoment = 4/state.grid.cellSize();

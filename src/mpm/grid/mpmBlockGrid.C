@@ -93,6 +93,7 @@ std::int32_t mpm::BlockGrid<Dim>::add
             Block& old = former->blocks[same->second];
             blocks_[mine].walls.swap(old.walls);
             blocks_[mine].wallNodes.swap(old.wallNodes);
+            blocks_[mine].mirrors.swap(old.mirrors);
         }
         else
         {
@@ -106,7 +107,7 @@ std::int32_t mpm::BlockGrid<Dim>::add
 
     // Patches of blocks without points stay zero
     nodes.resize(blocks_.size()*nNodes, Node{});
-    patches.resize(blocks_.size()*nPatchNodes, Node{});
+    patches.resize(blocks_.size()*nPatchNodes(reach_), Node{});
 
     return mine;
 }
@@ -135,11 +136,14 @@ void mpm::BlockGrid<Dim>::findWalls(Block& block) const
         }
         block.walls.push_back(std::int32_t(w));
 
-        // A node on the wall up to round-off of the coordinates is on it
-        const double onWall = 1e-9*cellSize_;
         for (int i = 0; i < nNodes; ++i)
         {
-            if (wall.distance(position(block, i), normal) <= onWall)
+            std::array<int, Dim> at;
+            for (int d = 0; d < Dim; ++d)
+            {
+                at[d] = (i >> (d*log2Edge)) & (edge - 1);
+            }
+            if (wall.distance(position(block, at), normal) <= onWall())
             {
                 block.wallNodes.push_back
                 (
@@ -147,6 +151,62 @@ void mpm::BlockGrid<Dim>::findWalls(Block& block) const
                 );
             }
         }
+
+        for (int i = 0; wall.holds() && i < nPatchNodes(reach_); ++i)
+        {
+            std::array<int, Dim> at;
+            for (int d = 0, rest = i; d < Dim; ++d, rest /= patchEdge())
+            {
+                at[d] = rest % patchEdge();
+            }
+            findMirror(block, wall, at);
+        }
+    }
+}
+
+
+template<int Dim>
+void mpm::BlockGrid<Dim>::findMirror
+(
+    Block& block,
+    const Wall<Dim>& wall,
+    const std::array<int, Dim>& at
+) const
+{
+    Vector<Dim> normal;
+    if (std::fabs(wall.distance(position(block, at), normal)) > onWall())
+    {
+        return;
+    }
+
+    // Of a terrain the nearest piece counts; a normal within 1e-6 of the
+    // direction puts the image off by as little of a cell
+    constexpr double across = 1 - 1e-12;
+    int node = 0, stride = 1;
+    for (int d = 0; d < Dim; ++d)
+    {
+        node += stride*at[d];
+        stride *= patchEdge();
+    }
+    stride = 1;
+    for (int d = 0; d < Dim; ++d)
+    {
+        if
+        (
+            std::fabs(normal[d]) > across
+         && at[d] > 0
+         && at[d] + 1 < patchEdge()
+        )
+        {
+            Mirror m{node, normal[d] > 0 ? stride : -stride, {}};
+            for (int e = 0; e < Dim; ++e)
+            {
+                m.sign[e] = wall.holdsAlong() || e == d ? -1 : 1;
+            }
+            m.sign[massOf] = 1;
+            block.mirrors.push_back(m);
+        }
+        stride *= patchEdge();
     }
 }
 
@@ -158,11 +218,13 @@ mpm::BlockGrid<Dim>::BlockGrid
 (
     const double cellSize,
     const Vector<Dim>& origin,
+    const int reach,
     const std::vector<Wall<Dim>>& walls
 )
 :
     cellSize_(cellSize),
     origin_(origin),
+    reach_(reach),
     walls_(&walls)
 {}
 
@@ -173,28 +235,30 @@ template<int Dim>
 mpm::Vector<Dim> mpm::BlockGrid<Dim>::position
 (
     const Block& block,
-    const int node
+    const std::array<int, Dim>& at
 ) const
 {
     Vector<Dim> x;
     for (int d = 0; d < Dim; ++d)
     {
-        const int local = (node >> (d*log2Edge)) & (edge - 1);
-        x[d] = origin_[d] + cellSize_*(block.at[d]*double(edge) + local);
+        x[d] = origin_[d] + cellSize_*(block.at[d]*double(edge) + at[d]);
     }
     return x;
 }
 
 
 template<int Dim>
+template<int Reach>
 void mpm::BlockGrid<Dim>::collect
 (
     const NodeField& field,
     const Block& block,
-    Node* patch
+    Node* const patch
 ) const
 {
+    constexpr int patchEdge = edge + Reach;
     constexpr int depth = Dim == 2 ? 1 : patchEdge;
+    Node* target = patch;
 
     for (int z = 0; z < depth; ++z)
     {
@@ -213,16 +277,24 @@ void mpm::BlockGrid<Dim>::collect
 
             for (int x = 0; x < edge; ++x)
             {
-                *patch++ = own[x];
+                *target++ = own[x];
             }
-            *patch++ = next[0];
-            *patch++ = next[1];
+            for (int x = 0; x < Reach; ++x)
+            {
+                *target++ = next[x];
+            }
         }
+    }
+
+    for (const Mirror& m : block.mirrors)
+    {
+        patch[m.node - m.step] = m.sign*patch[m.node + m.step];
     }
 }
 
 
 template<int Dim>
+template<int Reach>
 void mpm::BlockGrid<Dim>::sum
 (
     const NodeField& field,
@@ -230,6 +302,8 @@ void mpm::BlockGrid<Dim>::sum
     Node* sums
 ) const
 {
+    constexpr int patchEdge = edge + Reach;
+
     for (int i = 0; i < nNodes; ++i)
     {
         sums[i] = Node{};
@@ -243,12 +317,12 @@ void mpm::BlockGrid<Dim>::sum
             continue;
         }
         const Node* patch =
-            field.data() + std::size_t(from)*nPatchNodes;
+            field.data() + std::size_t(from)*nPatchNodes(Reach);
 
-        // The lower neighbour's patch ends two nodes into this block
-        const int xEnd = (corner & 1) ? 2 : edge;
-        const int yEnd = (corner & 2) ? 2 : edge;
-        const int zEnd = Dim == 2 ? 1 : (corner & 4) ? 2 : edge;
+        // The lower neighbour's patch reaches into this block
+        const int xEnd = (corner & 1) ? Reach : edge;
+        const int yEnd = (corner & 2) ? Reach : edge;
+        const int zEnd = Dim == 2 ? 1 : (corner & 4) ? Reach : edge;
         const int xFrom = (corner & 1) ? edge : 0;
         const int yFrom = (corner & 2) ? edge : 0;
         const int zFrom = (corner & 4) ? edge : 0;
@@ -322,7 +396,8 @@ std::size_t mpm::BlockGrid<Dim>::bytes() const
         sum +=
             block.points.capacity()*sizeof(std::int32_t)
           + block.walls.capacity()*sizeof(std::int32_t)
-          + block.wallNodes.capacity()*sizeof(WallNode);
+          + block.wallNodes.capacity()*sizeof(WallNode)
+          + block.mirrors.capacity()*sizeof(Mirror);
     }
     return sum;
 }
@@ -359,6 +434,29 @@ void mpm::BlockGrid<Dim>::read(std::istream& is)
 
 template class mpm::BlockGrid<2>;
 template class mpm::BlockGrid<3>;
+
+#define instantiate(Dim, Reach)                                                \
+    template void mpm::BlockGrid<Dim>::collect<Reach>                          \
+    (                                                                          \
+        const NodeField&,                                                      \
+        const Block&,                                                          \
+        Node*                                                                  \
+    ) const;                                                                   \
+    template void mpm::BlockGrid<Dim>::sum<Reach>                              \
+    (                                                                          \
+        const NodeField&,                                                      \
+        const Block&,                                                          \
+        Node*                                                                  \
+    ) const;
+
+instantiate(2, 1)
+instantiate(2, 2)
+instantiate(2, 3)
+instantiate(3, 1)
+instantiate(3, 2)
+instantiate(3, 3)
+
+#undef instantiate
 
 
 // ************************************************************************* //

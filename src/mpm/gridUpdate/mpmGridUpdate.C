@@ -24,12 +24,12 @@ License
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-template<int Dim>
+template<int Dim, int Reach>
 void mpm::sumVelocities(State<Dim>& state, const std::size_t block)
 {
     BlockGrid<Dim>& grid = state.grid;
     Node* nodes = grid.nodesOf(block);
-    grid.sum(grid.patches, grid[block], nodes);
+    grid.template sum<Reach>(grid.patches, grid[block], nodes);
 
     const double least = state.settings.massCutOff*state.maxMass;
     for (int i = 0; i < BlockGrid<Dim>::nNodes; ++i)
@@ -85,14 +85,40 @@ void mpm::applyWalls(State<Dim>& state, const std::size_t block)
 }
 
 
+template<int Dim>
+void mpm::applyHoldingWalls(State<Dim>& state, const std::size_t block)
+{
+    Node* nodes = state.grid.nodesOf(block);
+    for (const auto& w : state.grid[block].wallNodes)
+    {
+        if (nodes[w.node][massOf] > 0 && state.walls[w.wall].holds())
+        {
+            state.walls[w.wall].act(w.normal, nodes[w.node]);
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * Explicit Instantiations * * * * * * * * * * * * //
 
-template void mpm::sumVelocities(State<2>&, std::size_t);
-template void mpm::sumVelocities(State<3>&, std::size_t);
+#define instantiate(Dim, Reach)                                                \
+    template void mpm::sumVelocities<Dim, Reach>(State<Dim>&, std::size_t);
+
+instantiate(2, 1)
+instantiate(2, 2)
+instantiate(2, 3)
+instantiate(3, 1)
+instantiate(3, 2)
+instantiate(3, 3)
+
+#undef instantiate
+
 template void mpm::accelerate<2>(State<2>&, std::size_t, const Vector<2>&);
 template void mpm::accelerate<3>(State<3>&, std::size_t, const Vector<3>&);
 template void mpm::applyWalls(State<2>&, std::size_t);
 template void mpm::applyWalls(State<3>&, std::size_t);
+template void mpm::applyHoldingWalls(State<2>&, std::size_t);
+template void mpm::applyHoldingWalls(State<3>&, std::size_t);
 
 
 // ************************************************************************* //

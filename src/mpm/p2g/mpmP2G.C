@@ -126,7 +126,7 @@ inline void add
             t += all(batch.wd[0][x][l])*slope;
             target[x] = t;
         }
-        target += BlockGrid<2>::patchEdge;
+        target += Batch2::patchEdge;
     }
 }
 
@@ -139,7 +139,7 @@ inline void add
     Node* target
 )
 {
-    constexpr int edge = BlockGrid<3>::patchEdge;
+    constexpr int edge = Batch3::patchEdge;
 
     for (int z = 0; z < 3; ++z)
     {
@@ -181,7 +181,8 @@ void mpm::scatterAPIC
     Node* patch
 )
 {
-    for (int i = 0; i < BlockGrid<Dim>::nPatchNodes; ++i)
+    ShapeBatch<Dim, QuadraticBSpline> batch;
+    for (int i = 0; i < BlockGrid<Dim>::nPatchNodes(batch.reach); ++i)
     {
         patch[i] = Node{};
     }
@@ -189,7 +190,6 @@ void mpm::scatterAPIC
     const double h = grid.cellSize();
     const double impulse = deltaT/(QuadraticBSpline::secondMoment*h);
 
-    ShapeBatch<Dim, QuadraticBSpline> batch;
     const std::size_t n = block.points.size();
     for (std::size_t i = 0; i < n; i += batch.size)
     {
@@ -205,6 +205,7 @@ void mpm::scatterAPIC
             );
         }
     }
+    grid.fold(block, patch);
 }
 
 

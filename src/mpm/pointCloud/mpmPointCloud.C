@@ -23,6 +23,8 @@ License
 #include "mpmPointCloud.H"
 #include "mpmBinary.H"
 
+#include <cmath>
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<int Dim>
@@ -51,6 +53,7 @@ void mpm::PointCloud<Dim>::assign(const PointData& data)
         id[i] = std::int32_t(i);
     }
     leftCauchyGreen.clear();
+    halfSize.clear();
 }
 
 
@@ -60,6 +63,17 @@ void mpm::PointCloud<Dim>::keepDeformation()
     Stress<Dim> unit{};
     unit[0] = unit[1] = unit[2] = 1;
     leftCauchyGreen.assign(size(), unit);
+}
+
+
+template<int Dim>
+void mpm::PointCloud<Dim>::keepSize()
+{
+    halfSize.resize(size());
+    for (std::size_t i = 0; i < size(); ++i)
+    {
+        halfSize[i].fill(0.5*std::pow(volume[i], 1.0/Dim));
+    }
 }
 
 

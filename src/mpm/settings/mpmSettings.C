@@ -30,26 +30,41 @@ License
 
 const std::vector<std::string>& mpm::Settings::shapeFunctions()
 {
-    static const std::vector<std::string> names{"quadraticBSpline", "linear"};
+    static const std::vector<std::string> names
+    {
+        "quadraticBSpline", "cubicBSpline", "linear", "uGIMP", "cpGIMP"
+    };
     return names;
 }
 
 
 const std::vector<std::string>& mpm::Settings::transferSchemes()
 {
-    static const std::vector<std::string> names{"APIC", "FLIP"};
+    static const std::vector<std::string> names
+    {
+        "APIC", "TPIC", "AFLIP", "FLIP", "XPIC", "PIC"
+    };
     return names;
 }
 
 
 const std::vector<std::string>& mpm::Settings::stressUpdates()
 {
-    static const std::vector<std::string> names{"last", "first"};
+    static const std::vector<std::string> names{"USL", "MUSL", "USF"};
     return names;
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+int mpm::Settings::reach() const
+{
+    return
+        shapeFunction == "linear" ? 1
+      : shapeFunction == "cubicBSpline" ? 3
+      : 2;
+}
+
 
 void mpm::Settings::validate(const int dimension) const
 {
@@ -85,13 +100,22 @@ void mpm::Settings::validate(const int dimension) const
     choose("transferScheme", transferScheme, transferSchemes());
     choose("stressUpdate", stressUpdate, stressUpdates());
 
-    if (shapeFunction == "linear" && transferScheme == "APIC")
+    if
+    (
+        shapeFunction == "linear"
+     && (
+            transferScheme == "APIC"
+         || transferScheme == "TPIC"
+         || transferScheme == "AFLIP"
+        )
+    )
     {
         throw std::invalid_argument
         (
-            "shapeFunction linear with transferScheme APIC: the affine "
-            "velocity has no bound where a node is nearly empty. Use "
-            "transferScheme FLIP or shapeFunction quadraticBSpline"
+            "shapeFunction linear with transferScheme " + transferScheme
+          + ": the velocity gradient that its points carry has no bound where "
+            "a node is nearly empty. Use transferScheme FLIP, XPIC or PIC, or "
+            "another shapeFunction"
         );
     }
 
@@ -100,6 +124,11 @@ void mpm::Settings::validate(const int dimension) const
     (
         flipBlend <= 1,
         "flipBlend", flipBlend, "0 (PIC) to 1 (FLIP), or negative: unused"
+    );
+    require
+    (
+        xpicOrder >= 1 && xpicOrder <= 20,
+        "xpicOrder", xpicOrder, "1 (PIC) to 20"
     );
     require(cfl > 0 && cfl <= 1, "cfl", cfl, "0 < cfl <= 1");
     require

@@ -242,6 +242,13 @@ mpm::Simulation<Dim>::Simulation
 {
     points.validate(Dim, materials.size());
     state_.cloud.assign(points);
+    if
+    (
+        settings.shapeFunction == "uGIMP" || settings.shapeFunction == "cpGIMP"
+    )
+    {
+        state_.cloud.keepSize();
+    }
 
     std::vector<double> angles(points.frictionAngle);
     angles.resize(points.size(), 0);

@@ -21,7 +21,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "mpmEnergy.H"
-#include "mpmShapeFunctions.H"
 #include "mpmSimulation.H"
 
 #include <limits>
@@ -69,15 +68,10 @@ mpm::Diagnostics mpm::Simulation<Dim>::diagnostics() const
         double(cloud.bytes() + state_.grid.bytes() + cycle_->bytes())
        /double(n);
 
-    const bool affine =
-        settings.transferScheme == "APIC"
-     && settings.shapeFunction == "quadraticBSpline";
     sumEnergies
     (
         state_,
-        affine
-      ? QuadraticBSpline::secondMoment*settings.cellSize*settings.cellSize
-      : 0,
+        cycle_->secondMoment()*settings.cellSize*settings.cellSize,
         result
     );
     result.rmsVelocity = std::sqrt(2*result.kineticEnergy/result.mass);

@@ -80,15 +80,26 @@ TEST_CASE("unknown names are answered by the valid ones")
     mpm::Settings s = settings(2, 0.1);
 
     s.shapeFunction = "cubic";
-    checkSays(complaint(s, data), {"cubic", "quadraticBSpline", "linear"});
+    checkSays
+    (
+        complaint(s, data),
+        {
+            "cubic", "quadraticBSpline", "cubicBSpline", "linear", "uGIMP",
+            "cpGIMP"
+        }
+    );
 
     s = settings(2, 0.1);
-    s.transferScheme = "PIC";
-    checkSays(complaint(s, data), {"PIC", "APIC", "FLIP"});
+    s.transferScheme = "PICARD";
+    checkSays
+    (
+        complaint(s, data),
+        {"PICARD", "APIC", "TPIC", "AFLIP", "FLIP", "XPIC", "PIC"}
+    );
 
     s = settings(2, 0.1);
-    s.stressUpdate = "middle";
-    checkSays(complaint(s, data), {"middle", "last", "first"});
+    s.stressUpdate = "last";
+    checkSays(complaint(s, data), {"last", "USL", "MUSL", "USF"});
 
     s = settings(2, 0.1);
     mpm::Material material = soil();
@@ -150,8 +161,17 @@ TEST_CASE("numbers out of range are named with their range")
     checkSays(complaint(s, data), {"gravity[2]", "-9.81"});
 
     s = settings(2, 0.1);
-    s.shapeFunction = "linear";
-    checkSays(complaint(s, data), {"linear", "APIC", "FLIP"});
+    for (const char* affine : {"APIC", "TPIC", "AFLIP"})
+    {
+        s = settings(2, 0.1);
+        s.shapeFunction = "linear";
+        s.transferScheme = affine;
+        checkSays(complaint(s, data), {"linear", affine, "FLIP"});
+    }
+
+    s = settings(2, 0.1);
+    s.xpicOrder = 0;
+    checkSays(complaint(s, data), {"xpicOrder", "0", "20"});
 
     s = settings(2, 0.1);
     checkSays

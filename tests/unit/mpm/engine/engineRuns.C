@@ -89,11 +89,16 @@ TEST_CASE("restart repeats the unbroken run to the last bit")
     checkRestart<2>(settings(2, 0.1));
     checkRestart<3>(settings(3, 0.1));
 
-    mpm::Settings paper = settings(2, 0.1);
-    paper.shapeFunction = "linear";
-    paper.transferScheme = "FLIP";
-    paper.stressUpdate = "first";
-    checkRestart<2>(paper);
+    mpm::Settings s = settings(2, 0.1);
+    s.shapeFunction = "linear";
+    s.transferScheme = "FLIP";
+    s.stressUpdate = "USF";
+    checkRestart<2>(s);
+
+    s.shapeFunction = "cpGIMP";
+    s.transferScheme = "XPIC";
+    s.stressUpdate = "MUSL";
+    checkRestart<2>(s);
 }
 
 

@@ -32,6 +32,9 @@ namespace
 //- Round-off of a handful of additions of numbers of order one
 constexpr double roundOff = 1e-15;
 
+//- Half the length of a point of which nothing is a multiple, in cells
+constexpr double halfSize = 0.17;
+
 template<class Shape, class Check>
 void everywhere(const Check& check)
 {
@@ -39,8 +42,7 @@ void everywhere(const Check& check)
     {
         const double base = Shape::base(xi);
         double w[Shape::width], g[Shape::width];
-        Shape::weights(xi - base, w);
-        Shape::gradients(xi - base, g);
+        mpm::evaluate<Shape>(xi - base, halfSize, w, g);
         check(xi, base, w, g);
     }
 }
@@ -55,6 +57,8 @@ TEST_CASE_TEMPLATE
     "shape functions: unity, linear completeness, gradients",
     Shape,
     mpm::QuadraticBSpline,
+    mpm::CubicBSpline,
+    mpm::GIMPShape,
     mpm::LinearShape
 )
 {
@@ -77,49 +81,74 @@ TEST_CASE_TEMPLATE
             CHECK(std::fabs(unit - 1) <= 8*roundOff);
 
             // Central difference of a polynomial of degree two: exact but for
-            // round-off over the step
+            // round-off over the step; of degree three, whose third derivative
+            // is 3 at most, to half the square of the step more
             const double step = 1e-4;
-            double below[Shape::width], above[Shape::width];
-            Shape::weights(xi - base - step, below);
-            Shape::weights(xi - base + step, above);
+            const double bound =
+                1e-11 + (Shape::width > 3 ? 0.5*step*step : 0);
+            double below[Shape::width], above[Shape::width], unused[4];
+            mpm::evaluate<Shape>(xi - base - step, halfSize, below, unused);
+            mpm::evaluate<Shape>(xi - base + step, halfSize, above, unused);
             for (int i = 0; i < Shape::width; ++i)
             {
                 const double slopeOfWeight = (above[i] - below[i])/(2*step);
-                CHECK(std::fabs(slopeOfWeight - g[i]) <= 1e-11);
+                CHECK(std::fabs(slopeOfWeight - g[i]) <= bound);
             }
         }
     );
 }
 
 
-TEST_CASE("shape functions: second moments")
+TEST_CASE_TEMPLATE
+(
+    "shape functions: second moments",
+    Shape,
+    mpm::QuadraticBSpline,
+    mpm::CubicBSpline,
+    mpm::LinearShape
+)
 {
-    everywhere<mpm::QuadraticBSpline>
+    everywhere<Shape>
     (
         [](const double xi, const double base, const double* w, const double*)
         {
             double second = 0;
-            for (int i = 0; i < 3; ++i)
+            for (int i = 0; i < Shape::width; ++i)
             {
                 second += w[i]*(base + i - xi)*(base + i - xi);
             }
-            CHECK
-            (
-                std::fabs(second - mpm::QuadraticBSpline::secondMoment)
-             <= 4*roundOff
-            );
-        }
-    );
-
-    everywhere<mpm::LinearShape>
-    (
-        [](const double xi, const double base, const double* w, const double*)
-        {
             const double f = xi - base;
-            const double second = w[0]*f*f + w[1]*(1 - f)*(1 - f);
-            CHECK(std::fabs(second - f*(1 - f)) <= 4*roundOff);
+            const double expected =
+                Shape::secondMoment > 0 ? Shape::secondMoment : f*(1 - f);
+            CHECK(std::fabs(second - expected) <= 8*roundOff);
         }
     );
+}
+
+
+TEST_CASE("GIMP lies between the linear shape and the quadratic B-spline")
+{
+    for (double f = 0.55; f < 1.5; f += 0.1)
+    {
+        double w[3], g[3], expected[3], slope[3];
+
+        // A point as long as a cell
+        mpm::evaluate<mpm::GIMPShape>(f, 0.5, w, g);
+        mpm::evaluate<mpm::QuadraticBSpline>(f, 0, expected, slope);
+        for (int i = 0; i < 3; ++i)
+        {
+            CHECK(std::fabs(w[i] - expected[i]) <= 2*roundOff);
+            CHECK(std::fabs(g[i] - slope[i]) <= 2*roundOff);
+        }
+
+        // A point without length: the hat
+        mpm::evaluate<mpm::GIMPShape>(f, 1e-9, w, g);
+        for (int i = 0; i < 3; ++i)
+        {
+            const double hat = std::max(0.0, 1 - std::fabs(f - i));
+            CHECK(std::fabs(w[i] - hat) <= 2*roundOff);
+        }
+    }
 }
 
 

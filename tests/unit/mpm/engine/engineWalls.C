@@ -185,6 +185,117 @@ TEST_CASE("distance to a terrain surface")
 }
 
 
+TEST_CASE("a roller on the grid's nodes is a plane of symmetry")
+{
+    // A body that swings at a roller is half of one that swings alone, to the
+    // round-off of other orders of summation over some steps
+    const auto check = [](auto dimension, const mpm::Settings& names)
+    {
+        constexpr int Dim = decltype(dimension)::value;
+        CAPTURE(Dim);
+        CAPTURE(names.shapeFunction);
+        CAPTURE(names.transferScheme);
+
+        mpm::PointData half = box(Dim, 0.1, {{4, 3, 2}});
+        for (const mpm::Point3& x : half.position)
+        {
+            half.velocity.push_back
+            (
+                {{5*x[0]*(x[1] - 0.1), x[0] - 2*x[1], Dim == 3 ? x[1] : 0}}
+            );
+        }
+        mpm::PointData whole(half);
+        for (std::size_t i = 0; i < half.size(); ++i)
+        {
+            mpm::Point3 x = half.position[i];
+            mpm::Point3 v = half.velocity[i];
+            x[0] *= -1;
+            v[0] *= -1;
+            whole.position.push_back(x);
+            whole.velocity.push_back(v);
+            whole.volume.push_back(half.volume[i]);
+            whole.rho.push_back(half.rho[i]);
+            whole.zone.push_back(0);
+            whole.cohesionIntercept.push_back(0);
+            whole.frictionAngle.push_back(0);
+        }
+
+        mpm::WallSettings side;
+        side.normal = {{1, 0, 0}};
+        side.condition = "roller";
+        mpm::Settings s(names);
+        s.cellSize = 0.1;
+        mpm::Simulation<Dim> atWall(s, half, {elastic()}, {side});
+        mpm::Simulation<Dim> alone(s, whole, {elastic()}, {});
+        for (int i = 0; i < 20; ++i)
+        {
+            atWall.step(1);
+            alone.step(1);
+        }
+        for (const std::string name : {"displacement", "sigma"})
+        {
+            CAPTURE(name);
+            const std::vector<double> a = atWall.field(name);
+            const std::vector<double> b = alone.field(name);
+            double difference = 0, largest = 0;
+            for (std::size_t i = 0; i < a.size(); ++i)
+            {
+                difference = std::max(difference, std::fabs(a[i] - b[i]));
+                largest = std::max(largest, std::fabs(a[i]));
+            }
+            CHECK(largest > 0);
+            CHECK(difference <= 1e-11*largest);
+        }
+    };
+
+    mpm::Settings names;
+    for (const char* update : {"USL", "MUSL"})
+    {
+        names.stressUpdate = update;
+        check(std::integral_constant<int, 2>(), names);
+        check(std::integral_constant<int, 3>(), names);
+    }
+    names.transferScheme = "XPIC";
+    for (const std::string& shape : mpm::Settings::shapeFunctions())
+    {
+        names.shapeFunction = shape;
+        check(std::integral_constant<int, 2>(), names);
+        check(std::integral_constant<int, 3>(), names);
+    }
+}
+
+
+TEST_CASE("behind a rough wall on the grid's nodes velocities are odd")
+{
+    mpm::PointData data = box(2, 0.1, {{8, 6, 0}});
+    data.velocity.assign(data.size(), {{1, 0, 0}});
+    mpm::WallSettings base;
+    base.normal = {{0, 1, 0}};
+    mpm::Settings s = settings(2, 0.1, 0);
+    s.transferScheme = "PIC";
+    mpm::Simulation<2> run(s, data, {elastic()}, {base});
+    run.step(1e-12);
+
+    // Points at 1/4, 3/4, ... of a cell over the wall. The node above the wall
+    // gets 9/32 + 22/32 + 22/32 + 9/32 + 1/32 of them, and 1/32 of the lowest
+    // one's image, of mass 1 and velocity -1; the lowest one takes 9/32 of
+    // this node and 1/32 of its image
+    const double node = 62.0/64;
+    const std::vector<double> v = run.field("velocity");
+    int n = 0;
+    for (std::size_t i = 0; i < data.size(); ++i)
+    {
+        const mpm::Point3& x = data.position[i];
+        if (x[0] > 0.2 && x[0] < 0.6 && x[1] < 0.05)
+        {
+            CHECK(std::fabs(v[3*i] - node*8/32) <= 1e-9);
+            ++n;
+        }
+    }
+    CHECK(n == 8);
+}
+
+
 TEST_CASE("points thrown at walls stay inside, counted")
 {
     // 30 m/s into a corner of a terrain and a plane, waves at 26 m/s: the

@@ -59,7 +59,11 @@ Collision collide(const std::string& transferScheme, const double offset)
     mpm::Settings settings;
     settings.cellSize = 0.025;
     settings.transferScheme = transferScheme;
-    settings.flipBlend = transferScheme == "FLIP" ? 1 : -1;
+    if (transferScheme == "FLIP")
+    {
+        settings.stressUpdate = "MUSL";
+        settings.flipBlend = 1;
+    }
 
     const double along = std::sqrt(0.5);
     const double gap = 0.3;
