@@ -21,65 +21,149 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "nonOrthogonalFlux.H"
+#include "emptyPolyPatch.H"
 #include "syncTools.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- The part of a way's area off its line; round-off of the mesh's points is
+//  none
+static vector restOf(const facePaths::side& way)
+{
+    const scalar negligible = 1e-6;
+
+    const vector rest(way.coArea - way.transmissibility*way.delta);
+
+    return
+        mag(rest) > negligible*mag(way.coArea)
+      ? rest
+      : vector(Zero);
+}
+
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::nonOrthogonalFlux::setFace
 (
     const label facei,
-    const vector& delta,
+    const facePaths& paths,
     const bool open
 )
 {
-    // Smaller parts of a face's area are round-off of the mesh's points
-    const scalar negligible = 1e-6;
-
-    const vector& area = mesh_.faceAreas()[facei];
+    facePaths::side way(paths.first(facei));
 
     rest_[facei] = Zero;
-    direction_[facei] = area/magSqr(area);
 
     if (open)
     {
-        // The flux of two points is that over the area T |d|
-        const scalar T = magSqr(area)/(area & delta);
-        const vector rest(area - T*delta);
+        way.delta = paths.delta(facei);
+        way.transmissibility = paths.transmissibility(facei);
 
-        if (mag(rest) > negligible*mag(area))
+        rest_[facei] = restOf(way);
+        direction_[facei] =
+            way.delta/(way.transmissibility*magSqr(way.delta));
+    }
+    else
+    {
+        direction_[facei] = way.coArea/magSqr(way.coArea);
+    }
+}
+
+
+void Foam::nonOrthogonalFlux::setChange
+(
+    const label facei,
+    const facePaths& paths,
+    const scalar KsOwner,
+    const scalar KsOther
+)
+{
+    const facePaths::side first(paths.first(facei));
+    const facePaths::side second(paths.second(facei));
+
+    rest_[facei] = Zero;
+    direction_[facei] = first.coArea/magSqr(first.coArea);
+
+    changes_.append
+    (
+        change
         {
-            rest_[facei] = rest;
-            direction_[facei] = delta/(T*magSqr(delta));
-            active_ = true;
+            facei,
+            restOf(first),
+            restOf(second),
+            KsOwner*first.transmissibility,
+            KsOther*second.transmissibility,
+            second.coArea/magSqr(second.coArea)
         }
+    );
+}
+
+
+void Foam::nonOrthogonalFlux::setInverse()
+{
+    const labelList& owner = mesh_.faceOwner();
+    const labelList& neighbour = mesh_.faceNeighbour();
+
+    const auto square = [](const vector& direction)
+    {
+        return sqr(direction)/magSqr(direction);
+    };
+
+    inverse_ = Zero;
+
+    forAll(owner, facei)
+    {
+        inverse_[owner[facei]] += square(direction_[facei]);
+        if (facei < neighbour.size())
+        {
+            inverse_[neighbour[facei]] += square(direction_[facei]);
+        }
+    }
+
+    for (const change& c : changes_)
+    {
+        if (c.face < neighbour.size())
+        {
+            inverse_[neighbour[c.face]] +=
+                square(c.secondDirection) - square(direction_[c.face]);
+        }
+    }
+
+    for (symmTensor& t : inverse_)
+    {
+        t = inv(t);
     }
 }
 
 
 Foam::scalar Foam::nonOrthogonalFlux::limited
 (
-    const label facei,
-    const vector& velocity,
+    const scalar correction,
     const scalar pointFlux,
-    const scalar KOwner,
-    const scalar KOther
-) const
+    const scalar krOwner,
+    const scalar krOther
+)
 {
-    // Where the conductivities differ by more than this a front passes
+    // Where the permeabilities differ by more than this a front passes
     const scalar front = 2;
 
-    const scalar correction = velocity & rest_[facei];
-    const scalar KLoser = correction > 0 ? KOwner : KOther;
-    const scalar KLargest = max(KOwner, KOther);
+    const scalar krLoser = correction > 0 ? krOwner : krOther;
+    const scalar krLargest = max(krOwner, krOther);
 
-    if (KLargest <= front*min(KOwner, KOther))
+    if (krLargest <= front*min(krOwner, krOther))
     {
-        return correction*(KLoser/KLargest);
+        return correction;
     }
 
     const scalar bound = mag(pointFlux);
+    const scalar mobile = correction*min(front*krLoser/krLargest, scalar(1));
 
-    return min(max(correction*(KLoser/KLargest), -bound), bound);
+    return min(max(mobile, -bound), bound);
 }
 
 
@@ -105,6 +189,19 @@ Foam::tmp<Foam::vectorField> Foam::nonOrthogonalFlux::cellVelocity
         }
     }
 
+    // A change of soil: the whole flux, in each side's direction
+    for (const change& c : changes_)
+    {
+        velocity[owner[c.face]] += correction_[c.face]*direction_[c.face];
+
+        if (c.face < neighbour.size())
+        {
+            velocity[neighbour[c.face]] +=
+                (pointFlux[c.face] + correction_[c.face])*c.secondDirection
+              - pointFlux[c.face]*direction_[c.face];
+        }
+    }
+
     forAll(velocity, celli)
     {
         velocity[celli] = inverse_[celli] & velocity[celli];
@@ -121,6 +218,7 @@ Foam::nonOrthogonalFlux::nonOrthogonalFlux(const fvMesh& mesh)
     mesh_(mesh),
     rest_(mesh.nFaces(), Zero),
     direction_(mesh.nFaces(), Zero),
+    changes_(),
     active_(false),
     inverse_(mesh.nCells(), Zero),
     correction_(mesh.nFaces(), Zero)
@@ -129,74 +227,72 @@ Foam::nonOrthogonalFlux::nonOrthogonalFlux(const fvMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::nonOrthogonalFlux::setGeometry(const UList<bool>& open)
+void Foam::nonOrthogonalFlux::setGeometry
+(
+    const facePaths& paths,
+    const UList<bool>& open,
+    const UList<bool>& same,
+    const UList<scalar>& Ks,
+    const UList<scalar>& otherKs
+)
 {
-    const vectorField& centres = mesh_.cellCentres();
     const labelList& owner = mesh_.faceOwner();
-    const labelList& neighbour = mesh_.faceNeighbour();
 
-    vectorField otherCentres;
-    syncTools::swapBoundaryCellPositions(mesh_, centres, otherCentres);
+    changes_.clear();
 
-    forAll(neighbour, facei)
+    forAll(owner, facei)
     {
-        setFace
-        (
-            facei,
-            centres[neighbour[facei]] - centres[owner[facei]],
-            true
-        );
-    }
+        const label b = facei - mesh_.nInternalFaces();
 
-    for (const polyPatch& patch : mesh_.boundaryMesh())
-    {
-        forAll(patch, i)
+        if (!paths.twoSided(facei))
         {
-            const label facei = patch.start() + i;
-            const label b = facei - mesh_.nInternalFaces();
-            const vector& other =
-                patch.coupled()
-              ? otherCentres[b]
-              : mesh_.faceCentres()[facei];
-
-            setFace
+            setFace(facei, paths, open[b]);
+        }
+        else if (same[facei] && paths.uniform(facei))
+        {
+            setFace(facei, paths, true);
+        }
+        else
+        {
+            setChange
             (
                 facei,
-                other - centres[owner[facei]],
-                patch.coupled() || open[b]
+                paths,
+                Ks[owner[facei]],
+                b < 0 ? Ks[mesh_.faceNeighbour()[facei]] : otherKs[b]
             );
         }
     }
 
-    reduce(active_, orOp<bool>());
-
-    inverse_ = Zero;
-    forAll(owner, facei)
+    // The gradient across the direction that is not modelled is zero
+    for (const polyPatch& patch : mesh_.boundaryMesh())
     {
-        const symmTensor square
-        (
-            sqr(direction_[facei])/magSqr(direction_[facei])
-        );
-
-        inverse_[owner[facei]] += square;
-        if (facei < neighbour.size())
+        if (isA<emptyPolyPatch>(patch))
         {
-            inverse_[neighbour[facei]] += square;
+            forAll(patch, i)
+            {
+                const vector& area = patch.faceAreas()[i];
+                direction_[patch.start() + i] = area/magSqr(area);
+            }
         }
     }
 
-    for (symmTensor& t : inverse_)
+    active_ = gMax(mag(rest_)()) > 0;
+    for (const change& c : changes_)
     {
-        t = inv(t);
+        active_ = active_ || mag(c.first) > 0 || mag(c.second) > 0;
     }
+    reduce(active_, orOp<bool>());
+
+    setInverse();
 }
 
 
 void Foam::nonOrthogonalFlux::update
 (
     const scalarField& pointFlux,
-    const scalarField& K,
-    const scalarField& boundaryK
+    const scalarField& kr,
+    const scalarField& boundaryKr
 )
 {
     if (!active_)
@@ -205,46 +301,70 @@ void Foam::nonOrthogonalFlux::update
     }
 
     const labelList& owner = mesh_.faceOwner();
-    const labelList& neighbour = mesh_.faceNeighbour();
+    const label nInternal = mesh_.nInternalFaces();
 
     const vectorField velocity(cellVelocity(pointFlux));
 
-    forAll(neighbour, facei)
-    {
-        correction_[facei] = limited
-        (
-            facei,
-            0.5*(velocity[owner[facei]] + velocity[neighbour[facei]]),
-            pointFlux[facei],
-            K[owner[facei]],
-            K[neighbour[facei]]
-        );
-    }
-
+    // On the other side; a boundary face has the cell's own
     vectorField otherVelocity;
     syncTools::swapBoundaryCellList(mesh_, velocity, otherVelocity);
 
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
-        forAll(patch, i)
+        if (!patch.coupled())
         {
-            const label facei = patch.start() + i;
-            const label b = facei - mesh_.nInternalFaces();
-
-            vector u(velocity[owner[facei]]);
-            if (patch.coupled())
+            forAll(patch, i)
             {
-                u = 0.5*(u + otherVelocity[b]);
+                otherVelocity[patch.start() + i - nInternal] =
+                    velocity[patch.faceCells()[i]];
             }
-            correction_[facei] = limited
-            (
-                facei,
-                u,
-                pointFlux[facei],
-                K[owner[facei]],
-                boundaryK[b]
-            );
         }
+    }
+
+    const auto across = [&](const label facei) -> const vector&
+    {
+        return
+            facei < nInternal
+          ? velocity[mesh_.faceNeighbour()[facei]]
+          : otherVelocity[facei - nInternal];
+    };
+
+    const auto otherKr = [&](const label facei)
+    {
+        return
+            facei < nInternal
+          ? kr[mesh_.faceNeighbour()[facei]]
+          : boundaryKr[facei - nInternal];
+    };
+
+    forAll(owner, facei)
+    {
+        correction_[facei] =
+            0.5*(velocity[owner[facei]] + across(facei)) & rest_[facei];
+    }
+
+    for (const change& c : changes_)
+    {
+        // Each side counts by its resistance
+        const scalar first = c.firstConductance*kr[owner[c.face]];
+        const scalar second = c.secondConductance*otherKr(c.face);
+
+        correction_[c.face] =
+            (
+                second*(velocity[owner[c.face]] & c.first)
+              + first*(across(c.face) & c.second)
+            )/(first + second);
+    }
+
+    forAll(owner, facei)
+    {
+        correction_[facei] = limited
+        (
+            correction_[facei],
+            pointFlux[facei],
+            kr[owner[facei]],
+            otherKr(facei)
+        );
     }
 }
 

@@ -69,6 +69,7 @@ Foam::subsurfaceFlow::subsurfaceFlow
     up_(up),
     soils_(mesh),
     tables_(soils_.size()),
+    anisotropy_(readAnisotropies()),
     psi_
     (
         IOobject

@@ -133,7 +133,6 @@ Foam::richardsFlux::flux Foam::subsurfaceFlow::boundaryFlux
 ) const
 {
     const soilTable::state& cell = cellStates_[mesh_.faceOwner()[facei]];
-    const vector& area = mesh_.faceAreas()[facei];
 
     richardsFlux::flux result;
 
@@ -141,11 +140,16 @@ Foam::richardsFlux::flux Foam::subsurfaceFlow::boundaryFlux
     {
         case condition::flux:
         {
-            result.value = -inflow*mag(area);
+            result.value = -inflow*mag(mesh_.faceAreas()[facei]);
             break;
         }
         case condition::freeDrainage:
         {
+            const vector area
+            (
+                anisotropy_[connections_[facei].soil1]
+              & mesh_.faceAreas()[facei]
+            );
             const scalar downArea = max(-(area & up_), scalar(0));
             result.value = downArea*cell.K;
             result.dFirst = downArea*cell.dK;
@@ -313,14 +317,14 @@ void Foam::subsurfaceFlow::renewCorrection()
         return;
     }
 
-    scalarField K(cellStates_.size());
-    forAll(K, celli)
+    scalarField kr(cellStates_.size());
+    forAll(kr, celli)
     {
-        K[celli] = cellStates_[celli].K;
+        kr[celli] = cellStates_[celli].K/table(celli).Ks();
     }
 
     // A face through which no head drives the flow has the cell's own
-    scalarField boundaryK(boundaryStates_.size());
+    scalarField boundaryKr(boundaryStates_.size());
     forAll(conditions_, patchi)
     {
         const polyPatch& patch = mesh_.boundaryMesh()[patchi];
@@ -329,14 +333,14 @@ void Foam::subsurfaceFlow::renewCorrection()
         forAll(patch, i)
         {
             const label facei = patch.start() + i;
-            boundaryK[facei - mesh_.nInternalFaces()] =
+            boundaryKr[facei - mesh_.nInternalFaces()] =
                 known
-              ? boundaryState(facei).K
-              : K[mesh_.faceOwner()[facei]];
+              ? boundaryState(facei).K/tables_[connections_[facei].soil2].Ks()
+              : kr[mesh_.faceOwner()[facei]];
         }
     }
 
-    correction_.update(pointFlux_, K, boundaryK);
+    correction_.update(pointFlux_, kr, boundaryKr);
 }
 
 

@@ -21,6 +21,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "subsurfaceFlow.H"
+#include "anisotropy.H"
+#include "DynamicList.H"
 #include "fixedValueFvPatchFields.H"
 #include "syncTools.H"
 
@@ -75,35 +77,72 @@ bool Foam::subsurfaceFlow::open(const condition type)
 }
 
 
+Foam::List<Foam::symmTensor> Foam::subsurfaceFlow::readAnisotropies() const
+{
+    List<symmTensor> result(soils_.size());
+
+    forAll(result, soili)
+    {
+        const dictionary& dict =
+            soils_.zones().soilDict(soili).subDict("hydraulic");
+
+        result[soili] = readAnisotropy(dict);
+
+        if (dict.found("anisotropy"))
+        {
+            Info<< "Conductivity of " << soils_[soili].name()
+                << ": Ks times the tensor (xx xy xz yy yz zz) "
+                << result[soili] << nl << endl;
+        }
+    }
+
+    return result;
+}
+
+
 void Foam::subsurfaceFlow::setConnection
 (
-    richardsFlux::connection& c,
     const label facei,
-    const vector& otherPoint,
-    const label otherSoil
-) const
+    const facePaths& paths,
+    DynamicList<richardsFlux::interface>& interfaces
+)
 {
-    const label own = mesh_.faceOwner()[facei];
-    const vector& centre = mesh_.cellCentres()[own];
-    const vector& area = mesh_.faceAreas()[facei];
-    const vector delta(otherPoint - centre);
+    const labelList& cellSoil = soils_.zones().cellSoil();
 
-    c.transmissibility = magSqr(area)/(area & delta);
-    c.drop = -(delta & up_);
-    c.soil1 = soils_.zones().cellSoil()[own];
-    c.soil2 = otherSoil;
+    richardsFlux::connection& c = connections_[facei];
+
+    c.transmissibility = paths.transmissibility(facei);
+    c.drop = -(paths.delta(facei) & up_);
+    c.soil1 = cellSoil[mesh_.faceOwner()[facei]];
+    c.soil2 = c.soil1;
+
+    if (paths.twoSided(facei))
+    {
+        c.soil2 =
+            mesh_.isInternalFace(facei)
+          ? cellSoil[mesh_.faceNeighbour()[facei]]
+          : otherSoil_[facei - mesh_.nInternalFaces()];
+    }
 
     if (c.soil1 != c.soil2)
     {
-        // Share of the way that lies in the first soil
-        const scalar share =
-            (area & (mesh_.faceCentres()[facei] - centre))/(area & delta);
+        const facePaths::side first(paths.first(facei));
+        const facePaths::side second(paths.second(facei));
 
-        c.Ks =
+        richardsFlux::interface sides;
+        sides.first.transmissibility = first.transmissibility;
+        sides.first.drop = -(first.delta & up_);
+        sides.second.transmissibility = second.transmissibility;
+        sides.second.drop = -(second.delta & up_);
+
+        c.interface = interfaces.size();
+        c.transmissibility =
             1/(
-                share/tables_[c.soil1].Ks()
-              + (1 - share)/tables_[c.soil2].Ks()
+                1/(first.transmissibility*tables_[c.soil1].Ks())
+              + 1/(second.transmissibility*tables_[c.soil2].Ks())
             );
+
+        interfaces.append(sides);
     }
 }
 
@@ -111,44 +150,24 @@ void Foam::subsurfaceFlow::setConnection
 void Foam::subsurfaceFlow::makeConnections()
 {
     const labelList& cellSoil = soils_.zones().cellSoil();
-    const vectorField& centres = mesh_.cellCentres();
-    const labelList& neighbour = mesh_.faceNeighbour();
-
-    vectorField otherCentres;
-    syncTools::swapBoundaryCellPositions(mesh_, centres, otherCentres);
     syncTools::swapBoundaryCellList(mesh_, cellSoil, otherSoil_);
 
-    forAll(neighbour, facei)
+    const symmTensorField tensors
+    (
+        UIndirectList<symmTensor>(anisotropy_, cellSoil)
+    );
+    const facePaths paths(mesh_, tensors);
+
+    DynamicList<richardsFlux::interface> interfaces;
+    boolList same(mesh_.nFaces());
+
+    forAll(connections_, facei)
     {
-        setConnection
-        (
-            connections_[facei],
-            facei,
-            centres[neighbour[facei]],
-            cellSoil[neighbour[facei]]
-        );
+        setConnection(facei, paths, interfaces);
+        same[facei] = connections_[facei].interface < 0;
     }
 
-    for (const polyPatch& patch : mesh_.boundaryMesh())
-    {
-        forAll(patch, i)
-        {
-            const label facei = patch.start() + i;
-            const label b = facei - mesh_.nInternalFaces();
-
-            setConnection
-            (
-                connections_[facei],
-                facei,
-                patch.coupled() ? otherCentres[b] : mesh_.faceCentres()[facei],
-                patch.coupled()
-              ? otherSoil_[b]
-              : cellSoil[mesh_.faceOwner()[facei]]
-            );
-        }
-    }
-
-    flux_->prepare(connections_);
+    flux_->prepare(connections_, interfaces);
 
     boolList openFaces(mesh_.nFaces() - mesh_.nInternalFaces(), false);
     forAll(conditions_, patchi)
@@ -161,7 +180,17 @@ void Foam::subsurfaceFlow::makeConnections()
             patch.start() - mesh_.nInternalFaces()
         ) = open(conditions_[patchi]);
     }
-    correction_.setGeometry(openFaces);
+
+    scalarList Ks(mesh_.nCells());
+    forAll(Ks, celli)
+    {
+        Ks[celli] = table(celli).Ks();
+    }
+
+    scalarList otherKs;
+    syncTools::swapBoundaryCellList(mesh_, Ks, otherKs);
+
+    correction_.setGeometry(paths, openFaces, same, Ks, otherKs);
 }
 
 // ************************************************************************* //

@@ -39,7 +39,8 @@ namespace richardsFluxes
 
 Foam::richardsFlux::flux Foam::richardsFluxes::integralUpwind::downward
 (
-    const connection&,
+    const label,
+    const frontFluxTable::weights&,
     const scalar drop,
     const soilTable::state& upper,
     const soilTable::state& lower

@@ -21,6 +21,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "monotone.H"
+#include "integralMean.H"
+#include "DynamicList.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -39,75 +41,29 @@ namespace richardsFluxes
 
 Foam::richardsFlux::flux Foam::richardsFluxes::monotone::front
 (
-    const connection& c,
+    const frontFluxTable& table,
+    const frontFluxTable::weights& weights,
     const scalar drop,
     const soilTable::state& upper,
     const soilTable::state& lower
 ) const
 {
-    const frontFluxTable& table = fronts_[c.soil1];
-
     flux result;
     result.value =
-        drop*upper.K + table.beta(upper, c.weights)
-      - table.beta(lower, c.weights);
-    result.dFirst = drop*upper.dK + table.B(upper, c.weights)*upper.dPhi;
-    result.dSecond = -table.B(lower, c.weights)*lower.dPhi;
+        drop*upper.K + table.beta(upper, weights) - table.beta(lower, weights);
+    result.dFirst = drop*upper.dK + table.B(upper, weights)*upper.dPhi;
+    result.dSecond = -table.B(lower, weights)*lower.dPhi;
     return result;
 }
 
 
-Foam::richardsFlux::flux Foam::richardsFluxes::monotone::draining
+void Foam::richardsFluxes::monotone::setWeights
 (
-    const scalar drop,
-    const soilTable::state& upper,
-    const soilTable::state& lower
+    const label soili,
+    path& p
 ) const
 {
-    const scalar dH = drop + upper.head - lower.head;
-
-    flux result;
-    result.value = upper.K*dH;
-    result.dFirst = upper.dK*dH + upper.K*upper.dHead;
-    result.dSecond = -upper.K*lower.dHead;
-    return result;
-}
-
-
-Foam::richardsFlux::flux Foam::richardsFluxes::monotone::rising
-(
-    const scalar drop,
-    const soilTable::state& upper,
-    const soilTable::state& lower
-) const
-{
-    // Below this relative difference of the heads the quotient of the
-    // differences has lost half its digits
-    const scalar cancellation = 1e-5;
-
-    const scalar dh = lower.head - upper.head;
-    const scalar dH = drop - dh;
-
-    flux result;
-
-    if (dh > cancellation*(mag(lower.head) + mag(upper.head)))
-    {
-        const scalar K = (lower.Phi - upper.Phi)/dh;
-
-        result.value = K*dH;
-        result.dFirst = upper.dPhi + drop*(K - upper.K)*upper.dHead/dh;
-        result.dSecond = -lower.dPhi + drop*(lower.K - K)*lower.dHead/dh;
-    }
-    else
-    {
-        const scalar K = 0.5*(lower.K + upper.K);
-
-        result.value = K*dH;
-        result.dFirst = K*upper.dHead + 0.5*upper.dK*dH;
-        result.dSecond = -K*lower.dHead + 0.5*lower.dK*dH;
-    }
-
-    return result;
+    p.weights = fronts_[soili].weightsOf(mag(p.drop));
 }
 
 
@@ -115,7 +71,8 @@ Foam::richardsFlux::flux Foam::richardsFluxes::monotone::rising
 
 Foam::richardsFlux::flux Foam::richardsFluxes::monotone::downward
 (
-    const connection& c,
+    const label soili,
+    const frontFluxTable::weights& weights,
     const scalar drop,
     const soilTable::state& upper,
     const soilTable::state& lower
@@ -125,11 +82,26 @@ Foam::richardsFlux::flux Foam::richardsFluxes::monotone::downward
 
     if (dh <= 0)
     {
-        return front(c, drop, upper, lower);
+        return front(fronts_[soili], weights, drop, upper, lower);
     }
 
-    return dh < drop ? draining(drop, upper, lower)
-                     : rising(drop, upper, lower);
+    if (dh >= drop)
+    {
+        return integralMean::ofIntegral(drop, upper, lower);
+    }
+
+    flux result;
+    draining_[soili].evaluate
+    (
+        weights,
+        drop,
+        upper,
+        lower,
+        result.value,
+        result.dFirst,
+        result.dSecond
+    );
+    return result;
 }
 
 
@@ -138,32 +110,58 @@ Foam::richardsFlux::flux Foam::richardsFluxes::monotone::downward
 Foam::richardsFluxes::monotone::monotone(const PtrList<soilTable>& tables)
 :
     richardsFlux(tables),
-    fronts_()
+    fronts_(),
+    draining_(),
+    interfaces_()
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::richardsFluxes::monotone::prepare(List<connection>& connections)
+void Foam::richardsFluxes::monotone::prepare
+(
+    List<connection>& connections,
+    const UList<interface>& interfaces
+)
 {
-    scalarList drops(connections.size());
-    forAll(connections, i)
+    interfaces_ = interfaces;
+
+    DynamicList<scalar> drops(connections.size() + interfaces.size());
+
+    for (const connection& c : connections)
     {
-        drops[i] = mag(connections[i].drop);
+        if (c.interface >= 0)
+        {
+            drops.append(mag(interfaces_[c.interface].first.drop));
+            drops.append(mag(interfaces_[c.interface].second.drop));
+        }
+        else
+        {
+            drops.append(mag(c.drop));
+        }
     }
 
     const scalarList nodes(frontFluxTable::nodes(drops));
 
     fronts_.clear();
+    draining_.clear();
     for (const soilTable& table : tables_)
     {
         fronts_.append(new frontFluxTable(table, nodes));
+        draining_.append(new drainingFluxTable(table, nodes));
     }
 
-    forAll(connections, i)
+    for (connection& c : connections)
     {
-        connection& c = connections[i];
-        c.weights = fronts_[c.soil1].weightsOf(drops[i]);
+        if (c.interface >= 0)
+        {
+            setWeights(c.soil1, interfaces_[c.interface].first);
+            setWeights(c.soil2, interfaces_[c.interface].second);
+        }
+        else
+        {
+            setWeights(c.soil1, c);
+        }
     }
 }
 

@@ -31,7 +31,7 @@ namespace Foam
 }
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
 Foam::richardsFlux::flux Foam::richardsFlux::acrossSoils
 (
@@ -44,15 +44,17 @@ Foam::richardsFlux::flux Foam::richardsFlux::acrossSoils
     const bool forward = (dH >= 0);
     const soilTable::state& upwind = forward ? first : second;
     const scalar factor =
-        c.transmissibility*c.Ks/tables_[forward ? c.soil1 : c.soil2].Ks();
+        c.transmissibility/tables_[forward ? c.soil1 : c.soil2].Ks();
 
-    flux result;
-    result.value = factor*upwind.K*dH;
-    result.dFirst = factor*upwind.K*first.dHead;
-    result.dSecond = -factor*upwind.K*second.dHead;
-    (forward ? result.dFirst : result.dSecond) += factor*upwind.dK*dH;
-
-    return result;
+    return ofMean
+    (
+        factor*upwind.K,
+        forward ? factor*upwind.dK : 0,
+        forward ? 0 : factor*upwind.dK,
+        c.drop,
+        first,
+        second
+    );
 }
 
 
@@ -66,7 +68,7 @@ Foam::richardsFlux::richardsFlux(const PtrList<soilTable>& tables)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::richardsFlux::prepare(List<connection>&)
+void Foam::richardsFlux::prepare(List<connection>&, const UList<interface>&)
 {}
 
 
@@ -77,29 +79,10 @@ Foam::richardsFlux::flux Foam::richardsFlux::operator()
     const soilTable::state& second
 ) const
 {
-    if (c.soil1 != c.soil2)
-    {
-        return acrossSoils(c, first, second);
-    }
-
-    flux result;
-
-    if (c.drop >= 0)
-    {
-        result = downward(c, c.drop, first, second);
-        result.value *= c.transmissibility;
-        result.dFirst *= c.transmissibility;
-        result.dSecond *= c.transmissibility;
-    }
-    else
-    {
-        const flux down(downward(c, -c.drop, second, first));
-        result.value = -c.transmissibility*down.value;
-        result.dFirst = -c.transmissibility*down.dSecond;
-        result.dSecond = -c.transmissibility*down.dFirst;
-    }
-
-    return result;
+    return
+        c.soil1 == c.soil2
+      ? along(c.soil1, c, first, second)
+      : acrossSoils(c, first, second);
 }
 
 // ************************************************************************* //

@@ -1,0 +1,102 @@
+/*---------------------------------------------------------------------------*\
+    slideFoam | from rain to runout
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by the
+    Free Software Foundation, either version 3 of the License, or (at your
+    option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE. See the GNU General Public License for
+    more details.
+
+    You should have received a copy of the GNU General Public License along
+    with slideFoam. If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "integralMean.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace richardsFluxes
+{
+    defineTypeNameAndDebug(integralMean, 0);
+    addToRunTimeSelectionTable(richardsFlux, integralMean, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+Foam::richardsFlux::flux Foam::richardsFluxes::integralMean::downward
+(
+    const label,
+    const frontFluxTable::weights&,
+    const scalar drop,
+    const soilTable::state& upper,
+    const soilTable::state& lower
+) const
+{
+    return ofIntegral(drop, upper, lower);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::richardsFluxes::integralMean::integralMean
+(
+    const PtrList<soilTable>& tables
+)
+:
+    richardsFlux(tables)
+{}
+
+
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+Foam::richardsFlux::flux Foam::richardsFluxes::integralMean::ofIntegral
+(
+    const scalar drop,
+    const soilTable::state& upper,
+    const soilTable::state& lower
+)
+{
+    // Below this relative difference of the heads the quotient of the
+    // differences has lost half its digits
+    const scalar cancellation = 1e-5;
+
+    const scalar dh = lower.head - upper.head;
+
+    if (mag(dh) <= cancellation*(mag(lower.head) + mag(upper.head)))
+    {
+        return ofMean
+        (
+            0.5*(upper.K + lower.K),
+            0.5*upper.dK,
+            0.5*lower.dK,
+            drop,
+            upper,
+            lower
+        );
+    }
+
+    const scalar K = (lower.Phi - upper.Phi)/dh;
+
+    // Not by ofMean: its sums would cancel where one K is far the larger
+    flux result;
+    result.value = K*(drop - dh);
+    result.dFirst = upper.dPhi + drop*(K - upper.K)*upper.dHead/dh;
+    result.dSecond = -lower.dPhi + drop*(lower.K - K)*lower.dHead/dh;
+    return result;
+}
+
+// ************************************************************************* //
