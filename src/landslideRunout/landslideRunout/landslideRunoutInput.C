@@ -185,10 +185,10 @@ mpm::Settings Foam::landslideRunout::settings(const slidePoints& points) const
     (
         dict,
         {
-            "shapeFunction", "transferScheme", "stressUpdate", "flipTime",
-            "flipBlend", "xpicOrder", "cfl", "maxDeltaT", "sortInterval",
-            "threads", "massCutOff", "movedDistance", "restVelocity",
-            "frontDirection"
+            "symmetry", "shapeFunction", "transferScheme", "stressUpdate",
+            "flipTime", "flipBlend", "xpicOrder", "cfl", "maxDeltaT",
+            "sortInterval", "threads", "massCutOff", "movedDistance",
+            "restVelocity", "frontDirection"
         }
     );
 
@@ -201,6 +201,7 @@ mpm::Settings Foam::landslideRunout::settings(const slidePoints& points) const
     (
         const auto& choice :
         {
+            std::make_pair("symmetry", &s.symmetry),
             std::make_pair("shapeFunction", &s.shapeFunction),
             std::make_pair("transferScheme", &s.transferScheme),
             std::make_pair("stressUpdate", &s.stressUpdate)

@@ -36,6 +36,7 @@ std::unique_ptr<mpm::Cycle<Dim>> mpm::Cycle<Dim>::New
         settings.shapeFunction == "quadraticBSpline"
      && settings.transferScheme == "APIC"
      && settings.stressUpdate == "USL"
+     && !settings.axisymmetric()
     )
     {
         return std::make_unique<FusedCycle<Dim>>();

@@ -201,7 +201,10 @@ void mpm::GenericCycle<Dim, Shape>::step
     {
         report.reset();
     }
-    const StressUpdate<Dim> stress(state.laws, deltaT, state.elastic);
+    const StressUpdate<Dim> stress
+    (
+        state.laws, deltaT, state.elastic, state.axisymmetric
+    );
     balance(state, stress, deltaT);
 
     const bool mapsTwice = scheme_.update() == Scheme::Update::MUSL;

@@ -187,32 +187,43 @@ inline void addMomentum
 template<int Dim, class Shape>
 inline void addStress
 (
-    const PointCloud<Dim>& cloud,
+    const State<Dim>& state,
     const std::int32_t p,
     const Stencil<Dim, Shape>& stencil,
     const double deltaT,
     Node* patch
 )
 {
+    const PointCloud<Dim>& cloud = state.cloud;
     Node traction[Dim];
     for (int c = 0; c < Dim; ++c)
     {
         traction[c] = all(deltaT*cloud.volume[p])*column(cloud.sigma[p], c);
+    }
+
+    // The hoop stress of the whole circle, towards the axis
+    Node hoop{};
+    if (state.axisymmetric)
+    {
+        hoop[0] =
+            deltaT*cloud.volume[p]*cloud.sigma[p][2]/state.radius(cloud.x[p]);
     }
     stencil.forNodes
     (
         [&]
         (
             const int i,
-            const double,
+            const double w,
             const Vector<Dim>& gradient,
             const Vector<Dim>&
         )
         {
+            Node force = all(w)*hoop;
             for (int c = 0; c < Dim; ++c)
             {
-                patch[i] -= all(gradient[c])*traction[c];
+                force += all(gradient[c])*traction[c];
             }
+            patch[i] -= force;
         }
     );
 }
@@ -272,6 +283,42 @@ inline void gradientAt
 }
 
 
+//- The affine gradient there, column by column
+template<int Dim, class Shape>
+inline void affineAt
+(
+    const Stencil<Dim, Shape>& stencil,
+    const Node* patch,
+    Node* gradient
+)
+{
+    for (int c = 0; c < Dim; ++c)
+    {
+        gradient[c] = Node{};
+    }
+    stencil.forNodes
+    (
+        [&]
+        (
+            const int i,
+            const double w,
+            const Vector<Dim>&,
+            const Vector<Dim>& distance
+        )
+        {
+            for (int c = 0; c < Dim; ++c)
+            {
+                gradient[c] += all(w*distance[c])*patch[i];
+            }
+        }
+    );
+    for (int c = 0; c < Dim; ++c)
+    {
+        gradient[c] *= all(1/stencil.moment(c));
+    }
+}
+
+
 //- Stress of the points of a batch from velocities of the nodes
 template<int Dim, class Shape>
 inline void updateStress
@@ -283,7 +330,9 @@ inline void updateStress
     BlockReport<Dim>& report
 )
 {
-    Lanes L[Dim*Dim];
+    constexpr int hoop = Dim*Dim;
+    Lanes L[Dim*Dim + 1];
+    L[hoop] = Lanes(0.0);
     for (int l = 0; l < batch.count; ++l)
     {
         Node gradient[Dim];
@@ -292,12 +341,18 @@ inline void updateStress
         {
             L[k].v[l] = gradient[k/Dim][k%Dim];
         }
+        if (state.axisymmetric)
+        {
+            L[hoop].v[l] =
+                velocityAt(batch.stencil[l], patch)[0]
+               /state.radius(state.cloud.x[batch.point[l]]);
+        }
     }
     for (int l = batch.count; l < laneCount; ++l)
     {
-        for (int k = 0; k < Dim*Dim; ++k)
+        for (Lanes& entry : L)
         {
-            L[k].v[l] = L[k].v[batch.count - 1];
+            entry.v[l] = entry.v[batch.count - 1];
         }
     }
 
@@ -401,7 +456,7 @@ void mpm::GenericCycle<Dim, Shape>::scatterPoints
                 }
                 if (impulseTime > 0)
                 {
-                    addStress(cloud, p, stencil, impulseTime, patch);
+                    addStress(state, p, stencil, impulseTime, patch);
                 }
             }
         }
@@ -444,7 +499,7 @@ void mpm::GenericCycle<Dim, Shape>::updateAndScatter
             {
                 addStress
                 (
-                    state.cloud, batch.point[l], batch.stencil[l], deltaT, patch
+                    state, batch.point[l], batch.stencil[l], deltaT, patch
                 );
             }
         }
@@ -520,7 +575,14 @@ void mpm::GenericCycle<Dim, Shape>::gather
                 if (scheme_.carriesGradient())
                 {
                     Node gradient[Dim];
-                    gradientAt(stencil, after, gradient);
+                    if (Shape::sized && scheme_.affine())
+                    {
+                        affineAt(stencil, after, gradient);
+                    }
+                    else
+                    {
+                        gradientAt(stencil, after, gradient);
+                    }
                     for (int k = 0; k < Dim*Dim; ++k)
                     {
                         cloud.C[p][k] = gradient[k/Dim][k%Dim];

@@ -22,6 +22,7 @@ License
 
 #include "mpmPointCloud.H"
 #include "mpmBinary.H"
+#include "mpmNames.H"
 
 #include <cmath>
 
@@ -63,6 +64,24 @@ void mpm::PointCloud<Dim>::keepDeformation()
     Stress<Dim> unit{};
     unit[0] = unit[1] = unit[2] = 1;
     leftCauchyGreen.assign(size(), unit);
+}
+
+
+template<int Dim>
+void mpm::PointCloud<Dim>::turn()
+{
+    for (std::size_t i = 0; i < size(); ++i)
+    {
+        require
+        (
+            x[i][0] > 0,
+            "symmetry axisymmetric: point " + std::to_string(id[i])
+          + ": position x",
+            x[i][0], "> 0, the distance from the axis [m]"
+        );
+        volume[i] *= x[i][0];
+        mass[i] *= x[i][0];
+    }
 }
 
 

@@ -28,6 +28,13 @@ License
 
 // * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
 
+const std::vector<std::string>& mpm::Settings::symmetries()
+{
+    static const std::vector<std::string> names{"none", "axisymmetric"};
+    return names;
+}
+
+
 const std::vector<std::string>& mpm::Settings::shapeFunctions()
 {
     static const std::vector<std::string> names
@@ -96,6 +103,21 @@ void mpm::Settings::validate(const int dimension) const
         );
     }
 
+    choose("symmetry", symmetry, symmetries());
+    if (axisymmetric())
+    {
+        require
+        (
+            dimension == 2,
+            "symmetry axisymmetric: dimension", dimension, "2"
+        );
+        require
+        (
+            gravity[0] == 0,
+            "symmetry axisymmetric: gravity[0]", gravity[0],
+            "0: along the axis"
+        );
+    }
     choose("shapeFunction", shapeFunction, shapeFunctions());
     choose("transferScheme", transferScheme, transferSchemes());
     choose("stressUpdate", stressUpdate, stressUpdates());

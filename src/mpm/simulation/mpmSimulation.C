@@ -64,6 +64,16 @@ std::vector<mpm::Wall<Dim>> mpm::Simulation<Dim>::makeWalls
         wall.validate(Dim);
         made.emplace_back(wall, up(settings));
     }
+    if (settings.axisymmetric())
+    {
+        WallSettings axis;
+        axis.name = "axis";
+        axis.type = "plane";
+        axis.condition = "roller";
+        axis.point = {{0, 0, 0}};
+        axis.normal = {{1, 0, 0}};
+        made.emplace_back(axis, up(settings));
+    }
     return made;
 }
 
@@ -248,6 +258,10 @@ mpm::Simulation<Dim>::Simulation
     )
     {
         state_.cloud.keepSize();
+    }
+    if (settings.axisymmetric())
+    {
+        state_.cloud.turn();
     }
 
     std::vector<double> angles(points.frictionAngle);

@@ -114,7 +114,8 @@ void mpm::Simulation<Dim>::setColumnStress(const StartSettings& settings)
             upward,
             std::sqrt(g2),
             state_.settings.cellSize,
-            state_.grid.origin()
+            state_.grid.origin(),
+            state_.axisymmetric
         );
     }
 

@@ -81,7 +81,8 @@ std::vector<double> mpm::overburden
     const Vector<Dim>& up,
     const double gravity,
     const double cellSize,
-    const Vector<Dim>& origin
+    const Vector<Dim>& origin,
+    const bool axisymmetric
 )
 {
     const auto axes = horizontal(up);
@@ -127,7 +128,8 @@ std::vector<double> mpm::overburden
              && points[i].first - points[end].first <= level
             )
             {
-                mass += cloud.mass[points[end++].second];
+                const std::size_t p = points[end++].second;
+                mass += cloud.mass[p]/(axisymmetric ? cloud.x[p][0] : 1);
             }
             for (; i < end; ++i)
             {
@@ -150,7 +152,8 @@ template std::vector<double> mpm::overburden<2>
     const Vector<2>&,
     double,
     double,
-    const Vector<2>&
+    const Vector<2>&,
+    bool
 );
 
 template std::vector<double> mpm::overburden<3>
@@ -159,7 +162,8 @@ template std::vector<double> mpm::overburden<3>
     const Vector<3>&,
     double,
     double,
-    const Vector<3>&
+    const Vector<3>&,
+    bool
 );
 
 

@@ -61,8 +61,8 @@ mpm::Lanes mpm::StressUpdate<Dim>::updateByLaw
             points[l] = points[0];
             lane[l] = lane[0];
         }
-        Lanes g[Dim*Dim];
-        for (int k = 0; k < Dim*Dim; ++k)
+        Lanes g[Dim*Dim + 1];
+        for (int k = 0; k < nGradient(); ++k)
         {
             for (int l = 0; l < laneCount; ++l)
             {
@@ -107,10 +107,16 @@ mpm::Lanes mpm::StressUpdate<Dim>::updateNeoHookean
 
     SymmetricTensor<Dim, Lanes> b;
     load(cloud.leftCauchyGreen, p, b);
-    const Lanes volume = deform(b, g)*gather
+    Lanes volume = deform(b, g)*gather
     (
         p, [&](const std::int32_t i) { return cloud.volume[i]; }
     );
+    if (axisymmetric_)
+    {
+        const Lanes stretch = Lanes(1.0) + deltaT_*gradient[Dim*Dim];
+        b.zz *= stretch*stretch;
+        volume *= stretch;
+    }
     const Lanes mass = gather
     (
         p, [&](const std::int32_t i) { return cloud.mass[i]; }
