@@ -194,7 +194,7 @@ TEST_CASE("mixed laws restart to the last bit")
     mpm::Settings paper = settings(2, 0.1);
     paper.shapeFunction = "linear";
     paper.transferScheme = "FLIP";
-    paper.stressUpdate = "first";
+    paper.stressUpdate = "USF";
     checkRestart<2>(paper);
 }
 
