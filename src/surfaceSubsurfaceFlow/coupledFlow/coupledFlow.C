@@ -171,7 +171,7 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh)
         (
             controls_,
             "maxIterations",
-            40,
+            60,
             [](const scalar n) { return n >= 1; },
             ">= 1"
         )
