@@ -60,6 +60,61 @@ static bool acute(const scalar degrees)
 } // End namespace Foam
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::soilMechanics::readSoftening(const dictionary& dict)
+{
+    checkKeys
+    (
+        dict,
+        {
+            "residualCohesion", "residualFrictionAngle",
+            "residualDilationAngle", "peakStrain", "residualStrain", "length"
+        }
+    );
+
+    mpm::SofteningSettings& softening = material_.softening;
+    softening.residualCohesion = readChecked
+    (
+        dict,
+        "residualCohesion",
+        [this](const scalar x){ return x >= 0 && x <= cohesion_; },
+        "0 to cohesion Pa"
+    );
+    softening.residualFrictionAngle = readChecked
+    (
+        dict,
+        "residualFrictionAngle",
+        [this](const scalar x){ return x > 0 && x <= frictionAngle_; },
+        "0 < residualFrictionAngle <= frictionAngle deg"
+    );
+    softening.residualDilationAngle = readCheckedOrDefault
+    (
+        dict,
+        "residualDilationAngle",
+        0,
+        [this](const scalar x)
+        {
+            return
+                x >= 0
+             && x <= material_.dilationAngle
+             && x <= material_.softening.residualFrictionAngle;
+        },
+        "0 to dilationAngle and residualFrictionAngle deg"
+    );
+    softening.peakStrain =
+        readCheckedOrDefault(dict, "peakStrain", 0, notNegative, ">= 0");
+    softening.residualStrain = readChecked
+    (
+        dict,
+        "residualStrain",
+        [&softening](const scalar x){ return x > softening.peakStrain; },
+        "> peakStrain"
+    );
+    softening.length = readChecked(dict, "length", positive, "> 0 m");
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::soilMechanics::soilMechanics
@@ -83,7 +138,8 @@ Foam::soilMechanics::soilMechanics
         dict,
         {
             "rhoDry", "cohesion", "frictionAngle", "dilationAngle", "E", "nu",
-            "constitutiveModel", "tensileStrength"
+            "constitutiveModel", "druckerPragerFit", "tensileStrength",
+            "viscosity", "softening"
         }
     );
 
@@ -116,11 +172,24 @@ Foam::soilMechanics::soilMechanics
             material_.constitutiveModel
         );
 
+    material_.druckerPragerFit =
+        dict.getOrDefault<word>
+        (
+            "druckerPragerFit",
+            material_.druckerPragerFit
+        );
+
     if (dict.found("tensileStrength"))
     {
         material_.tensionCutOff = true;
         material_.tensileStrength =
             readChecked(dict, "tensileStrength", notNegative, ">= 0 Pa");
+    }
+    material_.viscosity =
+        readCheckedOrDefault(dict, "viscosity", 0, notNegative, ">= 0 Pa s");
+    if (const dictionary* softeningPtr = dict.findDict("softening"))
+    {
+        readSoftening(*softeningPtr);
     }
 
     mpmChecked

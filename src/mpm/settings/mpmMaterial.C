@@ -23,13 +23,25 @@ License
 #include "mpmMaterial.H"
 #include "mpmNames.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
 
 const std::vector<std::string>& mpm::Material::constitutiveModels()
 {
     static const std::vector<std::string> names
     {
-        "MohrCoulomb", "linearElastic", "neoHookean"
+        "MohrCoulomb", "DruckerPrager", "linearElastic", "neoHookean"
+    };
+    return names;
+}
+
+
+const std::vector<std::string>& mpm::Material::druckerPragerFits()
+{
+    static const std::vector<std::string> names
+    {
+        "planeStrain", "inner", "middle", "outer"
     };
     return names;
 }
@@ -59,6 +71,49 @@ void mpm::Material::validate() const
         tensileStrength >= 0,
         zone + "tensileStrength", tensileStrength, ">= 0 [Pa]"
     );
+    choose(zone + "druckerPragerFit", druckerPragerFit, druckerPragerFits());
+    require(viscosity >= 0, zone + "viscosity", viscosity, ">= 0 [Pa s]");
+
+    require
+    (
+        softening.length >= 0,
+        zone + "softening length", softening.length, "> 0 [m]"
+    );
+    if (softening.length > 0)
+    {
+        require
+        (
+            softening.residualCohesion >= 0,
+            zone + "residualCohesion", softening.residualCohesion,
+            ">= 0 [Pa]"
+        );
+        require
+        (
+            softening.residualFrictionAngle >= 0
+         && softening.residualFrictionAngle < 90,
+            zone + "residualFrictionAngle", softening.residualFrictionAngle,
+            "0 .. frictionAngle [deg]"
+        );
+        require
+        (
+            softening.residualDilationAngle >= 0
+         && softening.residualDilationAngle
+         <= std::min(dilationAngle, softening.residualFrictionAngle),
+            zone + "residualDilationAngle", softening.residualDilationAngle,
+            "0 .. dilationAngle and residualFrictionAngle [deg]"
+        );
+        require
+        (
+            softening.peakStrain >= 0,
+            zone + "peakStrain", softening.peakStrain, ">= 0"
+        );
+        require
+        (
+            softening.residualStrain > softening.peakStrain,
+            zone + "residualStrain", softening.residualStrain,
+            "> peakStrain"
+        );
+    }
 }
 
 

@@ -403,7 +403,7 @@ void mpm::Simulation<Dim>::restore(std::istream& is)
     std::vector<double> angles;
     readBinary(is, zones);
     readBinary(is, angles);
-    LawTable laws(state_.laws.materials());
+    LawTable laws(state_.laws.materials(), state_.settings.cellSize);
     for (std::size_t i = 0; i < zones.size(); ++i)
     {
         if

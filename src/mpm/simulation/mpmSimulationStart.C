@@ -227,7 +227,9 @@ void mpm::Simulation<Dim>::measureExcess(StartReport& report) const
         }
         const PrincipalStress<Dim, double> s(tensor(cloud.sigma[i]));
         const double excess =
-            law.soil.excess(s.first, s.third, cloud.cohesion[i]);
+            law.model == LawTable::Model::DruckerPrager
+          ? law.cone.excess(tensor(cloud.sigma[i]), cloud.cohesion[i])
+          : law.soil.excess(s.first, s.third, cloud.cohesion[i]);
 
         // Round-off of a returned stress is not outside
         const double scale = std::fabs(s.first) + std::fabs(s.third);

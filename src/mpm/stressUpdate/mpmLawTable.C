@@ -24,6 +24,7 @@ License
 #include "mpmNames.H"
 
 #include <algorithm>
+#include <cmath>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -37,7 +38,49 @@ mpm::LawTable::Model modelOf(const mpm::Material& material)
     return
         material.constitutiveModel == "linearElastic" ? Model::linearElastic
       : material.constitutiveModel == "neoHookean" ? Model::neoHookean
+      : material.constitutiveModel == "DruckerPrager" ? Model::DruckerPrager
       : Model::MohrCoulomb;
+}
+
+
+mpm::DruckerPragerFit fitOf(const mpm::Material& material)
+{
+    typedef mpm::DruckerPragerFit Fit;
+
+    return
+        material.druckerPragerFit == "inner" ? Fit::inner
+      : material.druckerPragerFit == "middle" ? Fit::middle
+      : material.druckerPragerFit == "outer" ? Fit::outer
+      : Fit::planeStrain;
+}
+
+
+mpm::Softening softeningOf
+(
+    const mpm::Material& material,
+    const double frictionAngle,
+    const double cellSize
+)
+{
+    const mpm::SofteningSettings& settings = material.softening;
+    const auto tangent = [](const double degrees)
+    {
+        return std::tan(std::acos(-1.0)/180*degrees);
+    };
+
+    // Plastic strains of a cell that are those of the band
+    const double perBand = cellSize/settings.length;
+    mpm::Softening softening;
+    softening.peakStrain = settings.peakStrain/perBand;
+    softening.perStrain =
+        perBand/(settings.residualStrain - settings.peakStrain);
+    softening.residualCohesion = settings.residualCohesion;
+    softening.tanPhi = tangent(frictionAngle);
+    softening.residualTanPhi =
+        tangent(std::min(frictionAngle, settings.residualFrictionAngle));
+    softening.tanPsi = tangent(material.dilationAngle);
+    softening.residualTanPsi = tangent(settings.residualDilationAngle);
+    return softening;
 }
 
 } // End anonymous namespace
@@ -45,9 +88,14 @@ mpm::LawTable::Model modelOf(const mpm::Material& material)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-mpm::LawTable::LawTable(const std::vector<Material>& materials)
+mpm::LawTable::LawTable
+(
+    const std::vector<Material>& materials,
+    const double cellSize
+)
 :
-    materials_(materials)
+    materials_(materials),
+    cellSize_(cellSize)
 {
     for (const Material& material : materials_)
     {
@@ -100,6 +148,25 @@ int mpm::LawTable::find(const int zone, const double frictionAngle)
     );
     law.lanes = lanesOf(law.soil);
 
+    law.fit = fitOf(material);
+    law.cone.moduli = law.soil.moduli;
+    law.cone.setAngles
+    (
+        law.fit, law.soil.sinPhi, law.soil.cosPhi, law.soil.sinPsi
+    );
+    law.coneLanes.moduli = law.lanes.moduli;
+    law.coneLanes.setAngles
+    (
+        law.fit, law.lanes.sinPhi, law.lanes.cosPhi, law.lanes.sinPsi
+    );
+
+    law.softens = !law.elastic && material.softening.length > 0;
+    law.softening =
+        law.softens
+      ? softeningOf(material, frictionAngle, cellSize_)
+      : Softening();
+    law.relaxationTime = material.viscosity/law.soil.moduli.mu;
+
     laws_.push_back(law);
     index_[key] = int(laws_.size()) - 1;
     return index_[key];
@@ -119,7 +186,22 @@ bool mpm::LawTable::tensionCutOff() const
 
 bool mpm::LawTable::common() const
 {
-    return !needsDeformation();
+    return std::all_of
+    (
+        materials_.begin(),
+        materials_.end(),
+        [](const Material& m)
+        {
+            const Model model = modelOf(m);
+            return
+                model == Model::linearElastic
+             || (
+                    model == Model::MohrCoulomb
+                 && m.softening.length == 0
+                 && m.viscosity == 0
+                );
+        }
+    );
 }
 
 

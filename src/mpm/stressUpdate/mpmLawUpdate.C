@@ -73,7 +73,7 @@ mpm::Lanes mpm::StressUpdate<Dim>::updateByLaw
         const Lanes speeds =
             laws_[law].model == LawTable::Model::neoHookean
           ? updateNeoHookean(laws_[law], cloud, points, count, g)
-          : updateCommon(cloud, points, count, g);
+          : updatePlastic(laws_[law], cloud, points, count, g);
         for (int l = 0; l < count; ++l)
         {
             wave2.v[lane[l]] = speeds[l];
@@ -86,6 +86,90 @@ mpm::Lanes mpm::StressUpdate<Dim>::updateByLaw
         wave2.v[l] = wave2[0];
     }
     return wave2;
+}
+
+
+template<int Dim>
+mpm::PlasticIncrement<mpm::Lanes> mpm::StressUpdate<Dim>::yield
+(
+    const LawTable::Law& law,
+    const PointCloud<Dim>& cloud,
+    const std::int32_t* p,
+    SymmetricTensor<Dim, Lanes>& stress
+) const
+{
+    Lanes cohesion, tension;
+    limits(cloud, p, cohesion, tension);
+    const Lanes* tensionLimit = tensionCutOff_ ? &tension : nullptr;
+
+    MohrCoulomb<Lanes> soil(law.lanes);
+    DruckerPrager<Lanes> cone(law.coneLanes);
+    if (law.softens)
+    {
+        const SoftenedStrength<Lanes> now = law.softening.strength
+        (
+            gather(p, [&](auto i) { return cloud.plasticStrain[i]; }),
+            cohesion,
+            gather(p, [&](auto i) { return cloud.porePressure[i]; })
+        );
+        cohesion = now.cohesionIntercept;
+        soil.setAngles(now.sinPhi, now.cosPhi, now.sinPsi);
+        cone.setAngles(law.fit, now.sinPhi, now.cosPhi, now.sinPsi);
+    }
+
+    const SymmetricTensor<Dim, Lanes> trial(stress);
+    PlasticIncrement<Lanes> plastic =
+        law.model == LawTable::Model::DruckerPrager
+      ? cone.returnStress(stress, cohesion, tensionLimit)
+      : tensionLimit
+      ? soil.returnStress(stress, cohesion, tension)
+      : soil.returnStress(stress, cohesion);
+
+    if (law.relaxationTime > 0)
+    {
+        // The stress beyond the surface relaxes: implicit in time, for any
+        // length of the step (G. Duvaut, J.L. Lions 1972)
+        const Lanes kept(law.relaxationTime/(law.relaxationTime + deltaT_));
+        stress.combine
+        (
+            trial,
+            [&kept](Lanes& s, const Lanes& t) { s += kept*(t - s); }
+        );
+        plastic.equivalentStrain *= Lanes(1.0) - kept;
+    }
+    return plastic;
+}
+
+
+template<int Dim>
+mpm::Lanes mpm::StressUpdate<Dim>::updatePlastic
+(
+    const LawTable::Law& law,
+    PointCloud<Dim>& cloud,
+    const std::int32_t* p,
+    const int n,
+    const Lanes* gradient
+) const
+{
+    SymmetricTensor<Dim, Lanes> stress;
+    load(cloud.sigma, p, stress);
+
+    SymmetricTensor<Dim, Lanes> strain;
+    Spin<Dim, Lanes> spin;
+    kinematics(gradient, Lanes(deltaT_), strain, spin);
+    rotateStress(stress, spin);
+    addElasticStress(stress, strain, law.lanes.moduli);
+
+    const Lanes trial = stress.trace();
+    const PlasticIncrement<Lanes> plastic =
+        elastic_ || law.elastic
+      ? PlasticIncrement<Lanes>{Lanes(0.0), Lanes(yieldRegion::elastic)}
+      : yield(law, cloud, p, stress);
+
+    return finish
+    (
+        cloud, p, n, stress, strain.trace(), trial, plastic, law.lanes.moduli
+    );
 }
 
 

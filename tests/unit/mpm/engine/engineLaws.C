@@ -45,6 +45,19 @@ mpm::Material neoHookean()
 }
 
 
+mpm::Material softCone()
+{
+    mpm::Material material(soil());
+    material.name = "softening cone";
+    material.constitutiveModel = "DruckerPrager";
+    material.viscosity = 10;
+    material.softening.residualFrictionAngle = 20;
+    material.softening.residualStrain = 0.01;
+    material.softening.length = 0.1;
+    return material;
+}
+
+
 //- Points of the first zones in turn, for as many zones as are given
 void takeTurns(mpm::PointData& data, const int nZones)
 {
@@ -60,10 +73,10 @@ void checkRestart(const mpm::Settings& s)
 {
     CAPTURE(Dim);
     mpm::PointData data = box(Dim, s.cellSize, {{6, 6, 4}});
-    takeTurns(data, 3);
+    takeTurns(data, 4);
     const std::vector<mpm::Material> materials
     {
-        soil(), elastic(), neoHookean()
+        soil(), elastic(), neoHookean(), softCone()
     };
     mpm::Simulation<Dim> straight(s, data, materials, baseAndSide(Dim));
     mpm::Simulation<Dim> first(s, data, materials, baseAndSide(Dim));
@@ -90,7 +103,7 @@ void checkRestart(const mpm::Settings& s)
         CHECK(same);
     }
 
-    mpm::Simulation<Dim> other(s, data, {soil(), elastic(), soil()}, {});
+    mpm::Simulation<Dim> other(s, data, {soil(), soil(), soil(), soil()}, {});
     saved.clear();
     saved.seekg(0);
     CHECK_THROWS_WITH_AS
