@@ -79,7 +79,7 @@ int main(int argc, char *argv[])
     restartState state(runTime);
     timeStepControl timeStep(runTime, water.controls(), state);
     waterBalance balance(water, state);
-    solverStatistics statistics(water);
+    solverStatistics statistics(water, timeStep);
 
     Info<< "\nStarting time loop\n" << endl;
 
@@ -89,12 +89,7 @@ int main(int argc, char *argv[])
 
         do
         {
-            water.solve
-            (
-                runTime.value(),
-                timeStep.length(),
-                timeStep.fallback()
-            );
+            water.solve(timeStep.step());
         }
         while (timeStep.rejects(water));
 
@@ -104,12 +99,17 @@ int main(int argc, char *argv[])
         Info<< "Time = " << runTime.timeName()
             << ", deltaT = " << runTime.deltaTValue() << nl << endl;
 
-        statistics.update(timeStep.nRejected());
+        statistics.update();
         balance.update();
 
-        runTime.write();
+        {
+            const workTimes::section timed(water.times(), workTimes::output);
+            runTime.write();
+        }
         runTime.printExecutionTime(Info);
     }
+
+    statistics.summary();
 
     Info<< "End\n" << endl;
 

@@ -65,19 +65,6 @@ static bool given(const fvMesh& mesh, const word& name)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::dictionary Foam::coupledFlow::linearDefaults()
-{
-    return dictionary
-    (
-        IStringStream
-        (
-            "solver PBiCGStab; preconditioner DILU; tolerance 1e-14;"
-            " relTol 1e-5; maxIter 1000;"
-        )()
-    );
-}
-
-
 void Foam::coupledFlow::checkGround() const
 {
     const fvBoundaryMesh& patches = mesh_.boundary();
@@ -164,7 +151,10 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh)
 :
     mesh_(mesh),
     controls_(mesh.solutionDict().subOrEmptyDict("overlandRichards")),
-    linearControls_(linearDefaults()),
+    solver_
+    (
+        mesh.solutionDict().subOrEmptyDict("solvers").subOrEmptyDict("water")
+    ),
     maxIterations_
     (
         readCheckedOrDefault
@@ -203,21 +193,19 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh)
     soil_(),
     water_(),
     lduMesh_(),
+    volumes_(),
     matrix_(),
+    scheme_(timeScheme::New(controls_)),
+    history_(),
     start_(0),
     unknowns_(),
     unknownsOld_(),
     leftOver_(),
     hasGround_(false),
-    stepStart_(0),
-    stepLength_(0),
+    times_(),
+    step_(),
     performance_()
 {
-    linearControls_.merge
-    (
-        mesh.solutionDict().subOrEmptyDict("solvers").subOrEmptyDict("water")
-    );
-
     if (given(mesh, "overlandProperties"))
     {
         overland_.reset(new overlandFlow(mesh, ground_));
@@ -256,7 +244,17 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh)
             groundCells
         )
     );
-    matrix_.reset(new coupledMatrix(*lduMesh_));
+    volumes_.reset
+    (
+        new stepVolumes
+        (
+            *lduMesh_,
+            mesh,
+            overland_ ? &overland_->aMesh() : nullptr,
+            start_
+        )
+    );
+    matrix_.reset(new coupledMatrix(*lduMesh_, *volumes_));
 
     unknowns_.setSize(start_ + ground_.size(), Zero);
     leftOver_.setSize(unknowns_.size(), Zero);
@@ -268,11 +266,16 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh)
     {
         soil_->initialise(unknowns_);
     }
+    if (soil_)
+    {
+        soil_->prescribe(*volumes_);
+    }
     if (overland_)
     {
         forAll(overland_->depthRate(), i)
         {
             water_->depthRate()[i] = overland_->depthRate()[i];
+            water_->depthRateOld()[i] = overland_->depthRateOld()[i];
         }
     }
 
@@ -284,9 +287,28 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh)
     {
         soil_->beginStep();
     }
+    volumes_->begin(step_.length(), 0, 1, scalarField(), scalarField());
     renewLagged();
-    assemble(false);
+    assemble();
     setFields();
+
+    if (scheme_->order() > 1)
+    {
+        history_.reset
+        (
+            new stepHistory
+            (
+                *volumes_,
+                *lduMesh_,
+                mesh,
+                ground_,
+                overland_ ? &overland_->aMesh() : nullptr,
+                hasSoil()
+            )
+        );
+    }
+
+    times_.assignAll(workTimes::setUp);
 }
 
 
@@ -304,6 +326,23 @@ Foam::scalar Foam::coupledFlow::surfaceStorage() const
 }
 
 
+Foam::tmp<Foam::scalarField> Foam::coupledFlow::infiltration() const
+{
+    auto tresult = tmp<scalarField>::New(ground_.size(), Zero);
+
+    if (soil_)
+    {
+        forAll(tresult(), i)
+        {
+            tresult.ref()[i] =
+                -volumes_->volume(lduMesh_->groundCoupling(i));
+        }
+    }
+
+    return tresult;
+}
+
+
 Foam::coupledFlow::volumes Foam::coupledFlow::moved() const
 {
     volumes result;
@@ -312,22 +351,16 @@ Foam::coupledFlow::volumes Foam::coupledFlow::moved() const
 
     if (overland_)
     {
-        result.surfaceOutflow = stepLength_*overland_->outflow();
+        result.surfaceOutflow = overland_->outflow(*volumes_);
     }
 
     if (soil_)
     {
-        scalar out = 0;
-        for (const label facei : ground_.faces())
-        {
-            out += soil_->faceFlux()[facei];
-        }
-        result.infiltration =
-            -stepLength_*returnReduce(out, sumOp<scalar>());
+        result.infiltration = gSum(infiltration()());
 
         soil_->boundaryVolumes
         (
-            stepLength_,
+            *volumes_,
             result.subsurfaceInflow,
             result.subsurfaceOutflow
         );
@@ -346,18 +379,12 @@ void Foam::coupledFlow::setFields()
 
     if (overland_)
     {
-        scalarField exchange(ground_.nRouted(), Zero);
-        if (soil_)
-        {
-            forAll(exchange, i)
-            {
-                exchange[i] = -soil_->faceFlux()[ground_.faces()[i]];
-            }
-        }
+        const scalarField exchange(infiltration()/step_.length());
 
-        forAll(exchange, i)
+        forAll(overland_->depthRate(), i)
         {
             overland_->depthRate()[i] = water_->depthRate()[i];
+            overland_->depthRateOld()[i] = water_->depthRateOld()[i];
         }
         overland_->setFields(*water_, exchange);
     }

@@ -24,8 +24,83 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::coupledFlow::beginStep(const trial& step)
+{
+    step_ = step;
+    performance_ = performance();
+
+    const scalar end = step.start + step.length();
+
+    // Prescribed heads are those at the end of the step
+    Time& runTime = const_cast<Time&>(mesh_.time());
+    const label timeIndex = runTime.timeIndex();
+    runTime.setTime(end, timeIndex + 1);
+
+    water_->beginStep(step.start, end);
+    if (soil_)
+    {
+        soil_->beginStep();
+    }
+
+    runTime.setTime(step.start, timeIndex);
+
+    scalarField content(unknowns_.size());
+    scalarField room(unknowns_.size(), GREAT);
+
+    SubList<scalar>(content, ground_.size(), start_) = water_->volume();
+    if (soil_)
+    {
+        soil_->capacities
+        (
+            SubList<scalar>(content, start_),
+            SubList<scalar>(room, start_)
+        );
+    }
+
+    const scalar ratio = step.lengths[0]/step.lengths[1];
+
+    volumes_->begin
+    (
+        step.length(),
+        step.carries ? scheme_->carry(ratio) : 0,
+        ratio,
+        content,
+        room
+    );
+}
+
+
+void Foam::coupledFlow::extrapolate()
+{
+    if (step_.nRates == 0)
+    {
+        return;
+    }
+
+    const scalar dt = step_.lengths[0];
+    const scalar slope =
+        step_.nRates < 2
+      ? 0
+      : dt*(dt + step_.lengths[1])/(step_.lengths[1] + step_.lengths[2]);
+
+    const Pair<scalar> weights(dt + slope, -slope);
+
+    if (soil_)
+    {
+        soil_->extrapolate(weights, SubList<scalar>(unknowns_, start_));
+    }
+    water_->extrapolate
+    (
+        weights,
+        SubList<scalar>(unknowns_, ground_.size(), start_)
+    );
+}
+
+
 void Foam::coupledFlow::setStates()
 {
+    const workTimes::section timed(times_, workTimes::states);
+
     const SubList<scalar> groundUnknowns(unknowns_, ground_.size(), start_);
 
     if (soil_)
@@ -55,8 +130,10 @@ void Foam::coupledFlow::renewLagged()
 }
 
 
-void Foam::coupledFlow::assemble(const bool fallback)
+void Foam::coupledFlow::assemble()
 {
+    const workTimes::section timed(times_, workTimes::assembly);
+
     matrix_->reset(leftOver_);
     water_->assemble(*matrix_, start_);
 
@@ -66,14 +143,14 @@ void Foam::coupledFlow::assemble(const bool fallback)
         (
             *matrix_,
             ground_,
-            stepStart_,
-            stepLength_,
-            fallback
+            step_.start,
+            step_.length(),
+            step_.fallback
         );
     }
     if (overland_)
     {
-        overland_->assemble(*matrix_, *water_, start_, stepLength_);
+        overland_->assemble(*matrix_, *water_);
     }
 }
 
@@ -89,11 +166,12 @@ Foam::scalar Foam::coupledFlow::residualLimit() const
     water_->addMoved(moved, total);
     if (soil_)
     {
-        soil_->addMoved(stepLength_, moved, total);
+        soil_->addMoved(*volumes_, step_.length(), moved, total);
+        moved += sumMag(infiltration()());
     }
     if (overland_)
     {
-        total += stepLength_*overland_->fluxScale();
+        total += step_.length()*overland_->fluxScale();
     }
 
     reduce(moved, sumOp<scalar>());
@@ -171,12 +249,7 @@ Foam::string Foam::coupledFlow::place(const label unknown) const
 }
 
 
-void Foam::coupledFlow::update
-(
-    const scalarField& step,
-    const bool fallback,
-    const bool renew
-)
+void Foam::coupledFlow::update(const scalarField& step, const bool renew)
 {
     const label maxHalvings = 6;
 
@@ -196,7 +269,7 @@ void Foam::coupledFlow::update
         {
             renewLagged();
         }
-        assemble(fallback);
+        assemble();
 
         if (matrix_->norm() < norm)
         {
@@ -209,37 +282,17 @@ void Foam::coupledFlow::update
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::coupledFlow::solve
-(
-    const scalar t,
-    const scalar dt,
-    const bool fallback
-)
+bool Foam::coupledFlow::solve(const trial& step)
 {
-    stepStart_ = t;
-    stepLength_ = dt;
-    performance_ = performance();
-
-    // Prescribed heads are those at the end of the step
-    Time& runTime = const_cast<Time&>(mesh_.time());
-    const label timeIndex = runTime.timeIndex();
-    runTime.setTime(t + dt, timeIndex + 1);
-
-    water_->beginStep(t, t + dt);
-    if (soil_)
-    {
-        soil_->beginStep();
-    }
-
+    beginStep(step);
+    extrapolate();
     setStates();
     renewLagged();
-    assemble(fallback);
-
-    runTime.setTime(t, timeIndex);
+    assemble();
 
     scalar norm = matrix_->norm();
     scalar previousNorm = GREAT;
-    scalarField step(unknowns_.size(), Zero);
+    scalarField change(unknowns_.size(), Zero);
 
     performance_.initialResidual = norm;
 
@@ -280,11 +333,13 @@ bool Foam::coupledFlow::solve
             return performance_.converged;
         }
 
-        performance_.linearIterations +=
-            matrix_->solve(step, linearControls_);
+        {
+            const workTimes::section timed(times_, workTimes::linearSolver);
+            performance_.linearIterations += solver_.solve(*matrix_, change);
+        }
         ++performance_.iterations;
 
-        update(step, fallback, performance_.iterations < nCorrectors_);
+        update(change, performance_.iterations < nCorrectors_);
 
         previousNorm = norm;
         norm = matrix_->norm();
@@ -292,34 +347,32 @@ bool Foam::coupledFlow::solve
 }
 
 
-Foam::scalar Foam::coupledFlow::localError(const scalar dtPrevious) const
+Foam::scalar Foam::coupledFlow::localError(const timeScheme& scheme) const
 {
-    // Depth below which errors count as absolute [m]
-    const scalar depthScale = 1e-3;
+    const FixedList<scalar, 3> weights(scheme.errorWeights(step_.lengths));
 
-    // Backward Euler's error is half the second derivative times dt^2; the
-    // extrapolation differs from it by dt (dt + dtPrevious)/2 times that
-    const scalar share = stepLength_/(stepLength_ + dtPrevious);
-
-    scalarList misplaced(2, Zero);
+    // In the soil and on the ground
+    scalarList error(2, Zero);
     scalarList total(2, Zero);
 
     if (soil_)
     {
-        soil_->localError(stepLength_, misplaced[0], total[0]);
+        soil_->localError(weights, step_.length(), error[0], total[0]);
     }
-    water_->localError(stepLength_, misplaced[1], total[1]);
-    total[1] += depthScale*sum(ground_.planArea());
+    water_->localError(weights, step_.length(), error[1], total[1]);
 
-    Pstream::listCombineGather(misplaced, plusEqOp<scalar>());
-    Pstream::listCombineScatter(misplaced);
+    Pstream::listCombineGather(error, plusEqOp<scalar>());
+    Pstream::listCombineScatter(error);
     Pstream::listCombineGather(total, plusEqOp<scalar>());
     Pstream::listCombineScatter(total);
 
-    return share*max
+    return sqrt
     (
-        misplaced[0]/max(total[0], VSMALL),
-        misplaced[1]/max(total[1], VSMALL)
+        max
+        (
+            error[0]/max(total[0], VSMALL),
+            error[1]/max(total[1], VSMALL)
+        )
     );
 }
 
@@ -336,12 +389,18 @@ void Foam::coupledFlow::accept()
     unknownsOld_ = unknowns_;
     leftOver_ = matrix_->residual();
 
-    water_->endStep(stepLength_);
+    volumes_->end(step_.length());
+    water_->endStep(step_.length());
     if (soil_)
     {
-        soil_->endStep(stepLength_);
+        soil_->endStep(step_.length());
     }
     setFields();
+
+    if (history_)
+    {
+        history_->keep();
+    }
 }
 
 
@@ -406,8 +465,8 @@ Foam::string Foam::coupledFlow::trouble() const
 void Foam::coupledFlow::stop(const label nCuts) const
 {
     FatalErrorInFunction
-        << "No solution of the step from t = " << stepStart_ << " s, which "
-        << nCuts << " cuts brought to " << stepLength_ << " s: "
+        << "No solution of the step from t = " << step_.start << " s, which "
+        << nCuts << " cuts brought to " << step_.length() << " s: "
         << trouble().c_str() << ". What was written before is complete."
         << exit(FatalError);
 }

@@ -273,4 +273,40 @@ Foam::coupledLduMesh::coupledLduMesh
     )
 {}
 
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::List<Foam::scalarField> Foam::coupledLduMesh::across
+(
+    const List<scalarField>& here
+) const
+{
+    const Pstream::commsTypes comms = Pstream::commsTypes::nonBlocking;
+
+    List<scalarField> result(here.size());
+    const label startRequest = Pstream::nRequests();
+
+    const auto interface = [&](const label i) -> const processorLduInterface&
+    {
+        return refCast<const processorLduInterface>
+        (
+            rawInterfaces()[i]
+        );
+    };
+
+    forAll(here, i)
+    {
+        interface(i).send(comms, here[i]);
+    }
+    Pstream::waitRequests(startRequest);
+
+    forAll(result, i)
+    {
+        result[i].setSize(here[i].size());
+        interface(i).receive(comms, result[i]);
+    }
+
+    return result;
+}
+
 // ************************************************************************* //

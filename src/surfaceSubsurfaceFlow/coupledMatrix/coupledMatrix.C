@@ -22,15 +22,58 @@ License
 
 #include "coupledMatrix.H"
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::coupledMatrix::scaleRows()
+{
+    rowScale_ = matrix_.diag();
+
+    for (scalar& scale : rowScale_)
+    {
+        scale = 1/(mag(scale) > VSMALL ? scale : scalar(1));
+    }
+
+    const labelUList& l = lduMesh_.lduAddr().lowerAddr();
+    const labelUList& u = lduMesh_.lduAddr().upperAddr();
+
+    matrix_.diag() *= rowScale_;
+    forAll(l, k)
+    {
+        matrix_.upper()[k] *= rowScale_[l[k]];
+        matrix_.lower()[k] *= rowScale_[u[k]];
+    }
+
+    List<scalarField> here(boundaryCoeffs_.size());
+    forAll(here, i)
+    {
+        here[i] = scalarField(rowScale_, lduMesh_.interfaceCells(i));
+    }
+
+    // The internal coefficients are those of the rows of the other side
+    const List<scalarField> there(lduMesh_.across(here));
+    forAll(here, i)
+    {
+        boundaryCoeffs_[i] *= here[i];
+        internalCoeffs_[i] *= there[i];
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::coupledMatrix::coupledMatrix(const coupledLduMesh& lduMesh)
+Foam::coupledMatrix::coupledMatrix
+(
+    const coupledLduMesh& lduMesh,
+    stepVolumes& volumes
+)
 :
     lduMesh_(lduMesh),
+    volumes_(volumes),
     residual_(lduMesh.lduAddr().size(), Zero),
     matrix_(lduMesh),
     boundaryCoeffs_(lduMesh.rawInterfaces().size()),
-    internalCoeffs_(lduMesh.rawInterfaces().size())
+    internalCoeffs_(lduMesh.rawInterfaces().size()),
+    rowScale_()
 {
     // Made here, so that all three exist: an asymmetric matrix
     matrix_.diag();
@@ -57,6 +100,10 @@ Foam::scalar Foam::coupledMatrix::norm() const
 void Foam::coupledMatrix::reset(const scalarField& residual)
 {
     residual_ = residual;
+    rowScale_.clear();
+    volumes_.clear();
+    volumes_.addPast(residual_);
+
     matrix_.diag() = Zero;
     matrix_.upper() = Zero;
     matrix_.lower() = Zero;
@@ -75,8 +122,12 @@ Foam::label Foam::coupledMatrix::solve
     const dictionary& controls
 )
 {
-    step = Zero;
-    const scalarField source(-residual_);
+    if (rowScale_.empty())
+    {
+        scaleRows();
+    }
+
+    const scalarField source(-rowScale_*residual_);
 
     return lduMatrix::solver::New
     (

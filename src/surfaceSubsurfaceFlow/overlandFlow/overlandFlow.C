@@ -22,6 +22,7 @@ License
 
 #include "overlandFlow.H"
 #include "pondedWater.H"
+#include "stepVolumes.H"
 #include "readChecked.H"
 #include "calculatedFaPatchFields.H"
 
@@ -291,6 +292,16 @@ Foam::overlandFlow::overlandFlow(const fvMesh& mesh, groundSurface& ground)
             IOobject::AUTO_WRITE
         )
     ),
+    depthRateOld_
+    (
+        areaField
+        (
+            "depthRateOld",
+            dimVelocity,
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        )
+    ),
     gradient1_
     (
         areaField
@@ -313,11 +324,14 @@ Foam::overlandFlow::overlandFlow(const fvMesh& mesh, groundSurface& ground)
     ),
     edgeGradients_(aMesh_.neighbour().size(), vector2D(0, 0)),
     patchGradients_(aMesh_.boundary().size()),
-    outflow_(0),
     fluxScale_(0)
 {
     // Construction from a temporary field does not keep this
-    for (areaScalarField* field : {&h_, &hs_, &qExchange_, &depthRate_})
+    for
+    (
+        areaScalarField* field
+      : {&h_, &hs_, &qExchange_, &depthRate_, &depthRateOld_}
+    )
     {
         field->writeOpt() = IOobject::AUTO_WRITE;
     }
@@ -342,6 +356,25 @@ bool Foam::overlandFlow::headGiven() const
 bool Foam::overlandFlow::depthGiven() const
 {
     return h_.readOpt() == IOobject::READ_IF_PRESENT;
+}
+
+
+Foam::scalar Foam::overlandFlow::outflow(const stepVolumes& volumes) const
+{
+    scalar sum = 0;
+
+    forAll(outlets_, patchi)
+    {
+        if (outlets_.set(patchi))
+        {
+            forAll(aMesh_.boundary()[patchi].edgeFaces(), i)
+            {
+                sum += volumes.volume(volumes.groundEdge(patchi, i));
+            }
+        }
+    }
+
+    return returnReduce(sum, sumOp<scalar>());
 }
 
 

@@ -229,16 +229,13 @@ void Foam::overlandFlow::renewGradient()
 void Foam::overlandFlow::assemble
 (
     coupledMatrix& matrix,
-    const pondedWater& water,
-    const label start,
-    const scalar dt
+    const pondedWater& water
 )
 {
     const labelUList& owner = aMesh_.owner();
     const labelUList& neighbour = aMesh_.neighbour();
     const scalarField& dDepth = water.dDepth();
 
-    outflow_ = 0;
     fluxScale_ = 0;
 
     forAll(neighbour, edgei)
@@ -269,9 +266,9 @@ void Foam::overlandFlow::assemble
         matrix.addFlux
         (
             matrix.addressing().edgeCoupling(edgei),
-            dt*f.value,
-            dt*f.dFirst*dDepth[own],
-            dt*f.dSecond*dDepth[nei]
+            f.value,
+            f.dFirst*dDepth[own],
+            f.dSecond*dDepth[nei]
         );
     }
 
@@ -307,9 +304,10 @@ void Foam::overlandFlow::assemble
                 (
                     matrix.addressing().groundSlot(patchi),
                     i,
-                    dt*f.value,
-                    dt*f.dFirst*dDepth[own],
-                    h[i] > 0 ? dt*f.dSecond : 0
+                    matrix.volumes().groundEdge(patchi, i),
+                    f.value,
+                    f.dFirst*dDepth[own],
+                    h[i] > 0 ? f.dSecond : 0
                 );
             }
         }
@@ -328,12 +326,11 @@ void Foam::overlandFlow::assemble
                     dOutflow
                 );
 
-                outflow_ += outflow;
-                matrix.add
+                matrix.addOutflow
                 (
-                    start + own,
-                    dt*outflow,
-                    dt*edges[i].length*dOutflow*dDepth[own]
+                    matrix.volumes().groundEdge(patchi, i),
+                    outflow,
+                    edges[i].length*dOutflow*dDepth[own]
                 );
             }
         }

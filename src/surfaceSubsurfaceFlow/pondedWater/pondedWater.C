@@ -40,6 +40,7 @@ Foam::pondedWater::pondedWater
     dDepth_(ground.size(), 1),
     depthOld_(ground.size(), Zero),
     depthRate_(ground.size(), Zero),
+    depthRateOld_(ground.size(), Zero),
     rainVolume_(ground.size(), Zero)
 {}
 
@@ -86,6 +87,25 @@ void Foam::pondedWater::beginStep(const scalar t1, const scalar t2)
 {
     depthOld_ = depth_;
     rainVolume_ = ground_.rainVolume(t1, t2);
+}
+
+
+void Foam::pondedWater::extrapolate
+(
+    const Pair<scalar>& weights,
+    SubList<scalar> unknowns
+) const
+{
+    forAll(depth_, i)
+    {
+        const scalar change =
+            weights.first()*depthRate_[i] + weights.second()*depthRateOld_[i];
+
+        if (depth_[i] > 0 && depth_[i] + change > 0)
+        {
+            unknowns[i] += change/dDepth_[i];
+        }
+    }
 }
 
 
@@ -139,24 +159,33 @@ void Foam::pondedWater::assemble
 
 void Foam::pondedWater::endStep(const scalar dt)
 {
+    depthRateOld_ = depthRate_;
     depthRate_ = (depth_ - depthOld_)/dt;
 }
 
 
 void Foam::pondedWater::localError
 (
+    const FixedList<scalar, 3>& weights,
     const scalar dt,
-    scalar& misplaced,
+    scalar& error,
     scalar& total
 ) const
 {
+    // Depth below which errors count as absolute [m]
+    const scalar depthScale = 1e-3;
+
     const scalarField& area = ground_.planArea();
 
     forAll(depth_, i)
     {
-        misplaced +=
-            area[i]*mag(depth_[i] - depthOld_[i] - dt*depthRate_[i]);
-        total += area[i]*depth_[i];
+        error += area[i]*sqr
+        (
+            weights[0]*(depth_[i] - depthOld_[i])/dt
+          + weights[1]*depthRate_[i]
+          + weights[2]*depthRateOld_[i]
+        );
+        total += area[i]*sqr(depth_[i] + depthScale);
     }
 }
 

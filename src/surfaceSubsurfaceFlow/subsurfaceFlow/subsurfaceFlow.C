@@ -21,6 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "subsurfaceFlow.H"
+#include "stepVolumes.H"
 #include "calculatedFvPatchFields.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -95,6 +96,16 @@ Foam::subsurfaceFlow::subsurfaceFlow
             IOobject::READ_IF_PRESENT
         )
     ),
+    storageRateOld_
+    (
+        derivedField
+        (
+            "storageRateOld",
+            mesh,
+            dimless/dimTime,
+            IOobject::READ_IF_PRESENT
+        )
+    ),
     conditions_(mesh.boundary().size(), condition::noFlow),
     flux_(richardsFlux::New(controls, tables_)),
     fallbackFlux_
@@ -147,6 +158,53 @@ Foam::scalar Foam::subsurfaceFlow::hydrostaticHead(const label facei) const
 }
 
 
+void Foam::subsurfaceFlow::prescribe(stepVolumes& volumes) const
+{
+    forAll(conditions_, patchi)
+    {
+        if (conditions_[patchi] == condition::flux)
+        {
+            const polyPatch& patch = mesh_.boundaryMesh()[patchi];
+            forAll(patch, i)
+            {
+                volumes.prescribe(volumes.boundaryFace(patch.start() + i));
+            }
+        }
+    }
+}
+
+
+void Foam::subsurfaceFlow::capacities
+(
+    SubList<scalar> content,
+    SubList<scalar> room
+) const
+{
+    const scalarField& V = mesh_.V();
+
+    scalarList dry(tables_.size());
+    scalarList full(tables_.size());
+    forAll(tables_, soili)
+    {
+        const soilTable& soil = tables_[soili];
+        dry[soili] = soil.at(soil.tauOfHead(soil.minHead())).storage;
+        full[soili] = soil.at(0).storage;
+    }
+
+    const labelList& cellSoil = soils_.zones().cellSoil();
+
+    forAll(cellStates_, celli)
+    {
+        const soilTable::state& s = cellStates_[celli];
+        const label soili = cellSoil[celli];
+
+        content[celli] = V[celli]*max(s.storage - dry[soili], scalar(0));
+        room[celli] =
+            s.tau < 0 ? V[celli]*(full[soili] - s.storage) : scalar(GREAT);
+    }
+}
+
+
 Foam::label Foam::subsurfaceFlow::driedCell() const
 {
     forAll(cellStates_, celli)
@@ -165,8 +223,9 @@ Foam::label Foam::subsurfaceFlow::driedCell() const
 
 void Foam::subsurfaceFlow::localError
 (
+    const FixedList<scalar, 3>& weights,
     const scalar dt,
-    scalar& misplaced,
+    scalar& error,
     scalar& total
 ) const
 {
@@ -176,17 +235,20 @@ void Foam::subsurfaceFlow::localError
     {
         const scalar storage = cellStates_[celli].storage;
 
-        misplaced += V[celli]*mag
+        error += V[celli]*sqr
         (
-            storage - storageOld_[celli] - dt*storageRate_[celli]
+            weights[0]*(storage - storageOld_[celli])/dt
+          + weights[1]*storageRate_[celli]
+          + weights[2]*storageRateOld_[celli]
         );
-        total += V[celli]*storage;
+        total += V[celli]*sqr(storage);
     }
 }
 
 
 void Foam::subsurfaceFlow::addMoved
 (
+    const stepVolumes& volumes,
     const scalar dt,
     scalar& moved,
     scalar& total
@@ -207,7 +269,11 @@ void Foam::subsurfaceFlow::addMoved
     {
         if (!patch.coupled())
         {
-            moved += dt*sumMag(patch.patchSlice(faceFlux_));
+            forAll(patch, i)
+            {
+                const label facei = patch.start() + i;
+                moved += mag(volumes.volume(volumes.boundaryFace(facei)));
+            }
         }
     }
 }
@@ -234,7 +300,7 @@ Foam::scalar Foam::subsurfaceFlow::storage() const
 
 void Foam::subsurfaceFlow::boundaryVolumes
 (
-    const scalar dt,
+    const stepVolumes& volumes,
     scalar& inflow,
     scalar& outflow
 ) const
@@ -250,7 +316,8 @@ void Foam::subsurfaceFlow::boundaryVolumes
         {
             forAll(patch, i)
             {
-                const scalar volume = dt*faceFlux_[patch.start() + i];
+                const scalar volume =
+                    volumes.volume(volumes.boundaryFace(patch.start() + i));
                 (volume < 0 ? inflow : outflow) += mag(volume);
             }
         }

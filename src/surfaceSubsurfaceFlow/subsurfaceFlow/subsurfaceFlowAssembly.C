@@ -48,7 +48,6 @@ void Foam::subsurfaceFlow::assembleStorage(coupledMatrix& matrix) const
 void Foam::subsurfaceFlow::assembleInternal
 (
     coupledMatrix& matrix,
-    const scalar dt,
     const richardsFlux& flux
 )
 {
@@ -76,9 +75,9 @@ void Foam::subsurfaceFlow::assembleInternal
         matrix.addFlux
         (
             matrix.addressing().faceCoupling(facei),
-            dt*faceFlux_[facei],
-            dt*f.dFirst,
-            dt*f.dSecond
+            faceFlux_[facei],
+            f.dFirst,
+            f.dSecond
         );
     }
 }
@@ -87,7 +86,6 @@ void Foam::subsurfaceFlow::assembleInternal
 void Foam::subsurfaceFlow::assembleProcessor
 (
     coupledMatrix& matrix,
-    const scalar dt,
     const richardsFlux& flux,
     const label patchi
 )
@@ -116,9 +114,10 @@ void Foam::subsurfaceFlow::assembleProcessor
         (
             slot,
             i,
-            dt*faceFlux_[facei],
-            dt*f.dFirst,
-            dt*f.dSecond
+            matrix.volumes().boundaryFace(facei),
+            faceFlux_[facei],
+            f.dFirst,
+            f.dSecond
         );
     }
 }
@@ -212,11 +211,11 @@ void Foam::subsurfaceFlow::assemblePatch
             faceFlux_[facei] += correction_.correction()[facei];
         }
 
-        matrix.add
+        matrix.addOutflow
         (
-            mesh_.faceOwner()[facei],
-            dt*faceFlux_[facei],
-            dt*f.dFirst
+            matrix.volumes().boundaryFace(facei),
+            faceFlux_[facei],
+            f.dFirst
         );
     }
 }
@@ -262,6 +261,34 @@ void Foam::subsurfaceFlow::beginStep()
                 ),
                 boundaryStates_[facei - mesh_.nInternalFaces()]
             );
+        }
+    }
+}
+
+
+void Foam::subsurfaceFlow::extrapolate
+(
+    const Pair<scalar>& weights,
+    SubList<scalar> unknowns
+) const
+{
+    forAll(cellStates_, celli)
+    {
+        const soilTable::state& s = cellStates_[celli];
+
+        if (s.tau < 0 && table(celli).aboveDryEnd(s.tau))
+        {
+            const scalar change =
+                weights.first()*storageRate_[celli]
+              + weights.second()*storageRateOld_[celli];
+
+            const scalar to = s.tau + change/s.dStorage;
+
+            // Not into another part of the curves
+            if (to < 0 && table(celli).aboveDryEnd(to))
+            {
+                unknowns[celli] = to;
+            }
         }
     }
 }
@@ -356,13 +383,13 @@ void Foam::subsurfaceFlow::assemble
     const richardsFlux& flux = fallback ? *fallbackFlux_ : *flux_;
 
     assembleStorage(matrix);
-    assembleInternal(matrix, dt, flux);
+    assembleInternal(matrix, flux);
 
     forAll(conditions_, patchi)
     {
         if (isA<processorPolyPatch>(mesh_.boundaryMesh()[patchi]))
         {
-            assembleProcessor(matrix, dt, flux, patchi);
+            assembleProcessor(matrix, flux, patchi);
         }
         else if (conditions_[patchi] != condition::surface)
         {
@@ -389,9 +416,9 @@ void Foam::subsurfaceFlow::assemble
         matrix.addFlux
         (
             matrix.addressing().groundCoupling(i),
-            dt*faceFlux_[facei],
-            dt*f.dFirst,
-            dt*f.dSecond
+            faceFlux_[facei],
+            f.dFirst,
+            f.dSecond
         );
     }
 }

@@ -77,6 +77,8 @@ Foam::tmp<Foam::scalarField> Foam::subsurfaceFlow::patchHead
 
 void Foam::subsurfaceFlow::endStep(const scalar dt)
 {
+    storageRateOld_.primitiveFieldRef() = storageRate_.primitiveField();
+
     forAll(cellStates_, celli)
     {
         storageRate_[celli] =

@@ -24,6 +24,17 @@ License
 #include "readChecked.H"
 #include "restartState.H"
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::Enum<Foam::timeStepControl::rejection>
+Foam::timeStepControl::rejectionNames
+({
+    { rejection::localError, "local error" },
+    { rejection::notConverged, "no convergence" },
+    { rejection::dried, "drier than the curves" },
+});
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::scalar Foam::timeStepControl::fitted(const scalar length) const
@@ -87,7 +98,8 @@ void Foam::timeStepControl::keep()
     dictionary history;
     restartState::set(history, "proposal", proposal_);
     restartState::set(history, "previous", previous_);
-    history.set("fresh", fresh_);
+    restartState::set(history, "beforePrevious", beforePrevious_);
+    history.set("nSmooth", nSmooth_);
 
     state_.set("timeStep", history);
 }
@@ -113,13 +125,16 @@ Foam::timeStepControl::timeStepControl
     ),
     proposal_(firstStep_),
     previous_(firstStep_),
-    fresh_(true),
+    beforePrevious_(firstStep_),
+    nSmooth_(0),
     nextEvent_(VGREAT),
-    length_(0),
-    fallback_(false),
+    euler_(),
+    step_(),
     nRejected_(0),
     nCuts_(0),
-    errorRatio_(0)
+    errorRatio_(0),
+    errorOrder_(1),
+    rejections_(0)
 {
     const dictionary& dict = controls.subOrEmptyDict("timeStep");
     const auto positive = [](const scalar x) { return x > 0; };
@@ -174,7 +189,8 @@ Foam::timeStepControl::timeStepControl
     const dictionary& history = state.subOrEmptyDict("timeStep");
     history.readIfPresent("proposal", proposal_);
     history.readIfPresent("previous", previous_);
-    history.readIfPresent("fresh", fresh_);
+    history.readIfPresent("beforePrevious", beforePrevious_);
+    history.readIfPresent("nSmooth", nSmooth_);
 
     keep();
 }
@@ -193,10 +209,17 @@ void Foam::timeStepControl::begin(const coupledFlow& water)
         runTime_.endTime().value()
     );
 
-    fallback_ = false;
     nRejected_ = 0;
     nCuts_ = 0;
-    length_ = fitted(min(adaptive_ ? proposal_ : firstStep_, maxStep_));
+
+    const scalar length =
+        fitted(min(adaptive_ ? proposal_ : firstStep_, maxStep_));
+
+    step_ = coupledFlow::trial();
+    step_.start = t;
+    step_.lengths = {length, previous_, beforePrevious_};
+    step_.carries = nSmooth_ > 0 && water.scheme().order() > 1;
+    step_.nRates = min(nSmooth_, 2);
 }
 
 
@@ -207,50 +230,75 @@ bool Foam::timeStepControl::rejects(coupledFlow& water)
 
     if (water.latest().converged)
     {
+        // The error of the scheme needs as many smooth steps as its order;
+        // until then that of a step of first order stands for it
+        const bool full =
+            step_.carries && nSmooth_ >= water.scheme().order();
+        const timeScheme& scheme = full ? water.scheme() : euler_;
+
+        errorOrder_ = scheme.order();
         errorRatio_ =
-            fresh_ || localError_ <= 0 || !adaptive_
+            nSmooth_ == 0 || localError_ <= 0 || !adaptive_
           ? 0
-          : water.localError(previous_)/localError_;
+          : water.localError(scheme)/localError_;
 
         if (errorRatio_ <= tolerated)
         {
             return false;
         }
 
-        Info<< "Step of " << length_ << " s rejected: local error "
+        Info<< "Step of " << step_.length() << " s rejected: local error "
             << errorRatio_*localError_ << endl;
 
-        length_ *= max(cut_, 0.9/sqrt(errorRatio_));
-    }
-    else if (!fallback_ && water.hasSoil())
-    {
-        fallback_ = true;
+        step_.lengths[0] *= max(cut_, errorFactor());
+        ++rejections_[rejection::localError];
     }
     else
     {
-        fallback_ = false;
-        length_ *= cut_;
-        ++nCuts_;
-    }
+        ++rejections_
+        [
+            water.latest().dried ? rejection::dried : rejection::notConverged
+        ];
 
-    if (!water.latest().converged)
-    {
+        if (step_.carries)
+        {
+            step_.carries = false;
+            step_.nRates = 0;
+        }
+        else if (!step_.fallback && water.hasSoil())
+        {
+            step_.fallback = true;
+        }
+        else
+        {
+            step_.fallback = false;
+            step_.lengths[0] *= cut_;
+            ++nCuts_;
+        }
+
         Info<< "Step not converged after " << water.latest().iterations
             << " iterations: " << water.trouble().c_str() << ". Next "
-            << length_ << " s with "
-            << (fallback_ ? "integralUpwind" : "the selected flux") << endl;
+            << step_.length() << " s with "
+            << (step_.fallback ? "integralUpwind" : "the selected flux")
+            << ", first order in time" << endl;
     }
 
-    if (nCuts_ > maxCuts_ || length_ < minStep_)
+    if (nCuts_ > maxCuts_ || step_.length() < minStep_)
     {
         water.stop(nCuts_);
     }
 
     water.giveUp();
     ++nRejected_;
-    proposal_ = length_;
+    proposal_ = step_.length();
 
     return true;
+}
+
+
+Foam::scalar Foam::timeStepControl::errorFactor() const
+{
+    return 0.9*pow(errorRatio_, -1.0/(errorOrder_ + 1));
 }
 
 
@@ -258,14 +306,13 @@ void Foam::timeStepControl::advance(const coupledFlow& water)
 {
     const scalar t = runTime_.value();
 
-    runTime_.setDeltaT(length_, false);
+    runTime_.setDeltaT(step_.length(), false);
     ++runTime_;
 
-    // Backward Euler's local error goes with the square of the step
     scalar factor = growth_;
     if (errorRatio_ > 0)
     {
-        factor = min(factor, max(0.9/sqrt(errorRatio_), cut_));
+        factor = min(factor, max(errorFactor(), cut_));
     }
     if (water.latest().iterations > fewIterations_)
     {
@@ -276,13 +323,15 @@ void Foam::timeStepControl::advance(const coupledFlow& water)
     // A step that was only fitted to an event does not bind the next one
     proposal_ =
         factor > 1
-      ? max(min(proposal_, maxStep_), factor*length_)
-      : factor*length_;
-    previous_ = length_;
+      ? max(min(proposal_, maxStep_), factor*step_.length())
+      : factor*step_.length();
+    beforePrevious_ = previous_;
+    previous_ = step_.length();
+    ++nSmooth_;
 
-    fresh_ = water.nextRainChange(t + minStep_) <= runTime_.value() + minStep_;
-    if (fresh_)
+    if (water.nextRainChange(t + minStep_) <= runTime_.value() + minStep_)
     {
+        nSmooth_ = 0;
         proposal_ = min(proposal_, firstStep_);
     }
 
