@@ -47,6 +47,8 @@ int main(int argc, char* argv[])
     const std::map<std::string, void (*)(Checks&, bool)> cases
     {
         {"barVibration", barVibration},
+        {"methodPairs", methodPairs},
+        {"manufactured", manufactured},
         {"blockOnIncline", blockOnIncline},
         {"twoDisks", twoDisks},
         {"spinningBody", spinningBody},
