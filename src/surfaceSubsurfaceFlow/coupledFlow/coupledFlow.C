@@ -231,6 +231,11 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh)
     }
 
     hasGround_ = returnReduce(ground_.size(), sumOp<label>()) > 0;
+    ground_.reportRain
+    (
+        mesh.time().value(),
+        mesh.time().endTime().value()
+    );
 
     water_.reset(new pondedWater(ground_, soil_.get()));
     lduMesh_.reset

@@ -125,7 +125,7 @@ void Foam::coupledFlow::renewLagged()
     }
     if (overland_)
     {
-        overland_->renewGradient();
+        overland_->renewSurroundings();
     }
 }
 

@@ -52,6 +52,25 @@ void Foam::groundSurface::checkUpward
 }
 
 
+void Foam::groundSurface::add
+(
+    const word& name,
+    const labelUList& faces,
+    const dictionary& rain
+)
+{
+    faces_.append(faces);
+    starts_.append(faces_.size());
+    updateGeometry();
+
+    names_.append(name);
+    rains_.append
+    (
+        rainfall::New("rainfall", rain, groundPlan(mesh_, faces, up_))
+    );
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::groundSurface::groundSurface(const fvMesh& mesh, const vector& up)
@@ -61,6 +80,7 @@ Foam::groundSurface::groundSurface(const fvMesh& mesh, const vector& up)
     nRouted_(0),
     faces_(),
     starts_(1, Zero),
+    names_(),
     rains_(),
     planArea_(),
     elevation_()
@@ -69,26 +89,24 @@ Foam::groundSurface::groundSurface(const fvMesh& mesh, const vector& up)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::groundSurface::addRouted(const faMesh& aMesh, const rainfall& rain)
+void Foam::groundSurface::addRouted
+(
+    const faMesh& aMesh,
+    const dictionary& rain
+)
 {
     nRouted_ = aMesh.nFaces();
-    faces_.append(aMesh.faceLabels());
-    starts_.append(faces_.size());
-    rains_.append(&rain);
-    updateGeometry();
+    add("ground", aMesh.faceLabels(), rain);
 }
 
 
 void Foam::groundSurface::addPatch
 (
     const polyPatch& patch,
-    const rainfall& rain
+    const dictionary& rain
 )
 {
-    faces_.append(identity(patch.size(), patch.start()));
-    starts_.append(faces_.size());
-    rains_.append(&rain);
-    updateGeometry();
+    add(patch.name(), identity(patch.size(), patch.start()), rain);
 }
 
 
@@ -115,18 +133,21 @@ Foam::tmp<Foam::scalarField> Foam::groundSurface::rainVolume
     const scalar t2
 ) const
 {
-    auto tvolume = tmp<scalarField>::New(size());
+    auto tvolume = tmp<scalarField>::New(size(), Zero);
     scalarField& volume = tvolume.ref();
 
     forAll(rains_, groupi)
     {
-        const scalar depth = rains_[groupi].depth(t1, t2);
-
-        for (label i = starts_[groupi]; i < starts_[groupi + 1]; ++i)
-        {
-            volume[i] = depth*planArea_[i];
-        }
+        SubList<scalar> group
+        (
+            volume,
+            starts_[groupi + 1] - starts_[groupi],
+            starts_[groupi]
+        );
+        rains_[groupi].addDepth(t1, t2, group);
     }
+
+    volume *= planArea_;
 
     return tvolume;
 }
@@ -142,6 +163,51 @@ Foam::scalar Foam::groundSurface::nextBreakPoint(const scalar t) const
     }
 
     return result;
+}
+
+
+void Foam::groundSurface::reportRain(const scalar t1, const scalar t2) const
+{
+    const scalar millimetres = 1e3;
+
+    const scalarField volume(rainVolume(t1, t2));
+
+    forAll(rains_, groupi)
+    {
+        scalar area = 0;
+        scalar total = 0;
+        for (label i = starts_[groupi]; i < starts_[groupi + 1]; ++i)
+        {
+            area += planArea_[i];
+            total += volume[i];
+        }
+        reduce(area, sumOp<scalar>());
+        reduce(total, sumOp<scalar>());
+
+        const rainfall::record own(rains_[groupi].recorded());
+        const scalar depth = total/max(area, VSMALL);
+
+        Info<< "Rain on " << names_[groupi] << ": " << millimetres*depth
+            << " mm from " << t1 << " s to " << t2 << " s, mean over "
+            << area << " m2";
+
+        if (own.given)
+        {
+            Info<< "; on record " << millimetres*own.depth << " mm from "
+                << own.begin << " s to " << own.end << " s";
+
+            if (t1 > own.begin)
+            {
+                Info<< "; the run begins after the record";
+            }
+            if (t2 < own.end)
+            {
+                Info<< "; the run ends before the record";
+            }
+        }
+
+        Info<< endl;
+    }
 }
 
 // ************************************************************************* //

@@ -30,7 +30,9 @@ License
 Foam::planGeometry::edgePlan Foam::planGeometry::makeEdge
 (
     const vector& edge,
-    const vector& delta
+    const point& middle,
+    const point& first,
+    const point& second
 ) const
 {
     edgePlan result;
@@ -38,7 +40,7 @@ Foam::planGeometry::edgePlan Foam::planGeometry::makeEdge
     const vector2D along(plan(edge));
 
     result.length = mag(along);
-    result.delta = plan(delta);
+    result.delta = plan(second - first);
     result.normal = vector2D(along.y(), -along.x())/max(result.length, VSMALL);
     if ((result.normal & result.delta) < 0)
     {
@@ -52,7 +54,25 @@ Foam::planGeometry::edgePlan Foam::planGeometry::makeEdge
 
     result.inverseDistance = 1/distance;
     result.rest = result.normal - result.delta/distance;
-    result.elevation = 0;
+
+    // Bounded for edges that pass close by a centre
+    const scalar minShare = 0.05;
+    const bool rim = (middle == second);
+
+    result.position =
+        rim
+      ? 1
+      : min
+        (
+            max((result.normal & plan(middle - first))/distance, minShare),
+            1 - minShare
+        );
+    result.fallFirst =
+        ((first - middle) & up_)/(result.position*distance);
+    result.fallSecond =
+        rim
+      ? 0
+      : ((second - middle) & up_)/((1 - result.position)*distance);
 
     return result;
 }
@@ -81,18 +101,17 @@ Foam::planGeometry::planGeometry
     axis1_ /= mag(axis1_);
     axis2_ = up_ ^ axis1_;
 
-    update(ground);
+    update();
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::planGeometry::update(const groundSurface& ground)
+void Foam::planGeometry::update()
 {
     const fvMesh& mesh = refCast<const fvMesh>(aMesh_.mesh());
     const pointField& points = aMesh_.points();
     const vectorField centres(mesh.faceCentres(), aMesh_.faceLabels());
-    const scalarField& z = ground.elevation();
 
     const labelUList& owner = aMesh_.owner();
     const labelUList& neighbour = aMesh_.neighbour();
@@ -103,9 +122,10 @@ void Foam::planGeometry::update(const groundSurface& ground)
         edges_[edgei] = makeEdge
         (
             aMesh_.edges()[edgei].vec(points),
-            centres[neighbour[edgei]] - centres[owner[edgei]]
+            aMesh_.edges()[edgei].centre(points),
+            centres[owner[edgei]],
+            centres[neighbour[edgei]]
         );
-        edges_[edgei].elevation = z[neighbour[edgei]];
     }
 
     patchEdges_.setSize(aMesh_.boundary().size());
@@ -122,20 +142,18 @@ void Foam::planGeometry::update(const groundSurface& ground)
 
         forAll(plans, i)
         {
-            const vector other
-            (
-                coupled
-              ? refCast<const processorFaPatch>(patch)
-               .neighbEdgeFaceCentres()[i]
-              : edges[i].centre(points)
-            );
+            const point middle(edges[i].centre(points));
 
             plans[i] = makeEdge
             (
                 edges[i].vec(points),
-                other - centres[faces[i]]
+                middle,
+                centres[faces[i]],
+                coupled
+              ? refCast<const processorFaPatch>(patch)
+               .neighbEdgeFaceCentres()[i]
+              : middle
             );
-            plans[i].elevation = other & up_;
         }
     }
 }

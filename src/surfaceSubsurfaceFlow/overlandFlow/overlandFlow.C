@@ -23,7 +23,7 @@ License
 #include "overlandFlow.H"
 #include "pondedWater.H"
 #include "stepVolumes.H"
-#include "readChecked.H"
+#include "groundField.H"
 #include "calculatedFaPatchFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -107,64 +107,52 @@ Foam::groundSurface& Foam::overlandFlow::addTo(groundSurface& ground) const
             << exit(FatalIOError);
     }
 
-    ground.addRouted(aMesh_, rain_);
+    ground.addRouted(aMesh_, properties_);
 
     return ground;
 }
 
 
-void Foam::overlandFlow::setManning()
+void Foam::overlandFlow::setGround()
 {
-    const auto readManning = []
+    const frictionModel& friction = model_->friction();
+
+    conveyance_.primitiveFieldRef() = readGroundField
     (
-        const dictionary& dict,
-        const word& key
-    )
+        aMesh_,
+        properties_,
+        friction.type(),
+        [](const scalar coefficient) { return coefficient > 0; },
+        friction.range()
+    );
+
+    if (properties_.found("depressionStorage"))
     {
-        return readChecked
+        storage_ = readGroundField
         (
-            dict,
-            key,
-            [](const scalar n) { return n > 0; },
-            "> 0 s/m^(1/3)"
+            aMesh_,
+            properties_,
+            "depressionStorage",
+            [](const scalar depth) { return depth >= 0; },
+            ">= 0 m"
         );
-    };
-
-    manning_.primitiveFieldRef() = readManning(properties_, "manning");
-
-    if (properties_.found("manningZones"))
-    {
-        const fvMesh& mesh = refCast<const fvMesh>(aMesh_.mesh());
-        const dictionary& values = properties_.subDict("manningZones");
-
-        labelList faceOfCell(mesh.nCells(), -1);
-        forAll(aMesh_.faceLabels(), i)
-        {
-            faceOfCell[mesh.faceOwner()[aMesh_.faceLabels()[i]]] = i;
-        }
-
-        for (const word& zoneName : values.toc())
-        {
-            const label zonei = mesh.cellZones().findZoneID(zoneName);
-            if (zonei < 0)
-            {
-                FatalIOErrorInFunction(values)
-                    << "No cellZone " << zoneName << "; the mesh has "
-                    << mesh.cellZones().names() << exit(FatalIOError);
-            }
-
-            const scalar value = readManning(values, zoneName);
-            for (const label celli : mesh.cellZones()[zonei])
-            {
-                if (faceOfCell[celli] >= 0)
-                {
-                    manning_[faceOfCell[celli]] = value;
-                }
-            }
-        }
     }
 
-    manning_.correctBoundaryConditions();
+    forAll(elevation_, i)
+    {
+        const scalar cosine =
+            ground_.planArea()[i]
+           /mag(aMesh_.mesh().faceAreas()[ground_.faces()[i]]);
+
+        conveyance_[i] = friction.conveyance(conveyance_[i]);
+        bedSlope_[i] = sqrt(max(1/sqr(cosine) - 1, scalar(0)));
+        elevation_[i] = ground_.elevation()[i] + storage_[i];
+    }
+
+    for (areaScalarField* field : {&conveyance_, &bedSlope_, &elevation_})
+    {
+        field->correctBoundaryConditions();
+    }
 }
 
 
@@ -189,21 +177,32 @@ void Foam::overlandFlow::setOutlets()
                 << exit(FatalIOError);
         }
 
+        const List<planGeometry::edgePlan>& edges =
+            geometry_.patchEdges()[patchi];
+
+        scalar length = 0;
+        for (const planGeometry::edgePlan& edge : edges)
+        {
+            length += edge.length;
+        }
+
         outlets_.set
         (
             patchi,
-            surfaceOutlet::New(patchName, dict.subDict(patchName))
+            surfaceOutlet::New
+            (
+                patchName,
+                returnReduce(length, sumOp<scalar>()),
+                dict.subDict(patchName)
+            )
         );
 
         const labelUList& faces = patches[patchi].edgeFaces();
         forAll(faces, i)
         {
-            const planGeometry::edgePlan& edge =
-                geometry_.patchEdges()[patchi][i];
-
             outlets_[patchi].checkEdge
             (
-                (elevation_[faces[i]] - edge.elevation)*edge.inverseDistance,
+                edges[i].fallFirst,
                 aMesh_.areaCentres()[faces[i]]
             );
         }
@@ -228,25 +227,45 @@ Foam::overlandFlow::overlandFlow(const fvMesh& mesh, groundSurface& ground)
     ),
     aMesh_(mesh),
     model_(overlandFlowModel::New(properties_)),
-    rain_(properties_),
     ground_(addTo(ground)),
     geometry_(aMesh_, ground_),
     outlets_(aMesh_.boundary().size()),
-    manning_
+    conveyance_
     (
         areaField
         (
-            "manning",
+            "conveyance",
             dimless,
             IOobject::NO_READ,
             IOobject::NO_WRITE
         )
     ),
+    bedSlope_
+    (
+        areaField
+        (
+            "bedSlope",
+            dimless,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE
+        )
+    ),
+    storage_(aMesh_.nFaces(), Zero),
     elevation_
     (
         areaField
         (
             "elevation",
+            dimLength,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE
+        )
+    ),
+    mobileDepth_
+    (
+        areaField
+        (
+            "mobileDepth",
             dimLength,
             IOobject::NO_READ,
             IOobject::NO_WRITE
@@ -302,28 +321,7 @@ Foam::overlandFlow::overlandFlow(const fvMesh& mesh, groundSurface& ground)
             IOobject::AUTO_WRITE
         )
     ),
-    gradient1_
-    (
-        areaField
-        (
-            "surfaceGradient1",
-            dimless,
-            IOobject::NO_READ,
-            IOobject::NO_WRITE
-        )
-    ),
-    gradient2_
-    (
-        areaField
-        (
-            "surfaceGradient2",
-            dimless,
-            IOobject::NO_READ,
-            IOobject::NO_WRITE
-        )
-    ),
-    edgeGradients_(aMesh_.neighbour().size(), vector2D(0, 0)),
-    patchGradients_(aMesh_.boundary().size()),
+    surroundings_(aMesh_, geometry_),
     fluxScale_(0)
 {
     // Construction from a temporary field does not keep this
@@ -336,11 +334,7 @@ Foam::overlandFlow::overlandFlow(const fvMesh& mesh, groundSurface& ground)
         field->writeOpt() = IOobject::AUTO_WRITE;
     }
 
-    elevation_.primitiveFieldRef() =
-        SubField<scalar>(ground_.elevation(), aMesh_.nFaces());
-    elevation_.correctBoundaryConditions();
-
-    setManning();
+    setGround();
     setOutlets();
 }
 

@@ -26,137 +26,16 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::overlandFlow::rise
+Foam::scalar Foam::overlandFlow::dMobile
 (
-    const scalar depth,
-    const scalar elevation,
-    const scalar otherDepth,
-    const scalar otherElevation
+    const pondedWater& water,
+    const label facei
 ) const
 {
-    if (!model_->followsWater())
-    {
-        return otherElevation - elevation;
-    }
-
-    const scalar level = elevation + depth;
-    const scalar otherLevel = otherElevation + otherDepth;
-
-    // Dry ground above the water is its shore, not a slope of it
-    return otherDepth <= 0 && otherLevel > level ? 0 : otherLevel - level;
-}
-
-
-Foam::vector2D Foam::overlandFlow::edgeGradient
-(
-    const scalar depth1,
-    const vector2D& gradient1,
-    const scalar depth2,
-    const vector2D& gradient2
-)
-{
-    if (depth2 <= 0)
-    {
-        return gradient1;
-    }
-
-    return depth1 <= 0 ? gradient2 : 0.5*(gradient1 + gradient2);
-}
-
-
-void Foam::overlandFlow::setFaceGradients()
-{
-    // Least squares over the neighbours. In a direction without neighbours
-    // the gradient is zero: the matrix gets a trace of the unit tensor
-    const scalar trace = 1e-9;
-
-    const label n = h_.size();
-    List<vector2D> sums(n, vector2D(0, 0));
-    scalarField xx(n, Zero);
-    scalarField xy(n, Zero);
-    scalarField yy(n, Zero);
-
-    const auto add = [&]
-    (
-        const label facei,
-        const vector2D& delta,
-        const scalar difference
-    )
-    {
-        const scalar weight = 1/magSqr(delta);
-        sums[facei] += (weight*difference)*delta;
-        xx[facei] += weight*sqr(delta.x());
-        xy[facei] += weight*delta.x()*delta.y();
-        yy[facei] += weight*sqr(delta.y());
-    };
-
-    const auto riseTo = [&](const label i, const label j)
-    {
-        return rise(h_[i], elevation_[i], h_[j], elevation_[j]);
-    };
-
-    const labelUList& owner = aMesh_.owner();
-    const labelUList& neighbour = aMesh_.neighbour();
-
-    forAll(neighbour, edgei)
-    {
-        const label own = owner[edgei];
-        const label nei = neighbour[edgei];
-        const vector2D& delta = geometry_.edges()[edgei].delta;
-
-        if (h_[own] > 0 || h_[nei] > 0)
-        {
-            add(own, delta, riseTo(own, nei));
-            add(nei, -delta, riseTo(nei, own));
-        }
-    }
-
-    forAll(aMesh_.boundary(), patchi)
-    {
-        if (!aMesh_.boundary()[patchi].coupled())
-        {
-            continue;
-        }
-
-        const labelUList& faces = aMesh_.boundary()[patchi].edgeFaces();
-        forAll(faces, i)
-        {
-            const label own = faces[i];
-            add
-            (
-                own,
-                geometry_.patchEdges()[patchi][i].delta,
-                rise
-                (
-                    h_[own],
-                    elevation_[own],
-                    h_.boundaryField()[patchi][i],
-                    elevation_.boundaryField()[patchi][i]
-                )
-            );
-        }
-    }
-
-    forAll(h_, i)
-    {
-        if (xx[i] + yy[i] <= 0)
-        {
-            gradient1_[i] = 0;
-            gradient2_[i] = 0;
-            continue;
-        }
-
-        const scalar extra = trace*(xx[i] + yy[i]);
-        const scalar a = xx[i] + extra;
-        const scalar c = yy[i] + extra;
-        const scalar determinant = a*c - sqr(xy[i]);
-
-        gradient1_[i] = (c*sums[i].x() - xy[i]*sums[i].y())/determinant;
-        gradient2_[i] = (a*sums[i].y() - xy[i]*sums[i].x())/determinant;
-    }
-
-    gradient1_.correctBoundaryConditions();
-    gradient2_.correctBoundaryConditions();
+    return
+        mobileDepth_[facei] > 0 || storage_[facei] <= 0
+      ? water.dDepth()[facei]
+      : 0;
 }
 
 
@@ -167,62 +46,10 @@ void Foam::overlandFlow::setDepth(const pondedWater& water)
     forAll(h_, i)
     {
         h_[i] = water.depth()[i];
+        mobileDepth_[i] = max(h_[i] - storage_[i], scalar(0));
     }
     h_.correctBoundaryConditions();
-}
-
-
-void Foam::overlandFlow::renewGradient()
-{
-    setFaceGradients();
-
-    const labelUList& owner = aMesh_.owner();
-    const labelUList& neighbour = aMesh_.neighbour();
-
-    const auto gradient = [&](const label i)
-    {
-        return vector2D(gradient1_[i], gradient2_[i]);
-    };
-
-    forAll(neighbour, edgei)
-    {
-        const label own = owner[edgei];
-        const label nei = neighbour[edgei];
-
-        edgeGradients_[edgei] = edgeGradient
-        (
-            h_[own],
-            gradient(own),
-            h_[nei],
-            gradient(nei)
-        );
-    }
-
-    forAll(aMesh_.boundary(), patchi)
-    {
-        if (!aMesh_.boundary()[patchi].coupled())
-        {
-            continue;
-        }
-
-        const labelUList& faces = aMesh_.boundary()[patchi].edgeFaces();
-        const faPatchScalarField& g1 = gradient1_.boundaryField()[patchi];
-        const faPatchScalarField& g2 = gradient2_.boundaryField()[patchi];
-
-        List<vector2D>& gradients = patchGradients_[patchi];
-        gradients.setSize(faces.size());
-
-        forAll(faces, i)
-        {
-            gradients[i] = edgeGradient
-            (
-                h_[faces[i]],
-                gradient(faces[i]),
-                h_.boundaryField()[patchi][i],
-                vector2D(g1[i], g2[i])
-            );
-        }
-    }
+    mobileDepth_.correctBoundaryConditions();
 }
 
 
@@ -234,7 +61,6 @@ void Foam::overlandFlow::assemble
 {
     const labelUList& owner = aMesh_.owner();
     const labelUList& neighbour = aMesh_.neighbour();
-    const scalarField& dDepth = water.dDepth();
 
     fluxScale_ = 0;
 
@@ -243,7 +69,7 @@ void Foam::overlandFlow::assemble
         const label own = owner[edgei];
         const label nei = neighbour[edgei];
 
-        if (h_[own] <= 0 && h_[nei] <= 0)
+        if (mobileDepth_[own] <= 0 && mobileDepth_[nei] <= 0)
         {
             continue;
         }
@@ -255,20 +81,20 @@ void Foam::overlandFlow::assemble
                 geometry_.edges()[edgei],
                 side(own),
                 side(nei),
-                edgeGradients_[edgei]
+                surroundings_.edges()[edgei]
             )
         );
 
         fluxScale_ +=
-            mag(f.dFirst*(elevation_[own] + h_[own]))
-          + mag(f.dSecond*(elevation_[nei] + h_[nei]));
+            mag(f.dFirst*(elevation_[own] + mobileDepth_[own]))
+          + mag(f.dSecond*(elevation_[nei] + mobileDepth_[nei]));
 
         matrix.addFlux
         (
             matrix.addressing().edgeCoupling(edgei),
             f.value,
-            f.dFirst*dDepth[own],
-            f.dSecond*dDepth[nei]
+            f.dFirst*dMobile(water, own),
+            f.dSecond*dMobile(water, nei)
         );
     }
 
@@ -280,10 +106,6 @@ void Foam::overlandFlow::assemble
 
         if (aMesh_.boundary()[patchi].coupled())
         {
-            const faPatchScalarField& h = h_.boundaryField()[patchi];
-            const faPatchScalarField& z = elevation_.boundaryField()[patchi];
-            const faPatchScalarField& n = manning_.boundaryField()[patchi];
-
             forAll(faces, i)
             {
                 const label own = faces[i];
@@ -293,8 +115,8 @@ void Foam::overlandFlow::assemble
                     (
                         edges[i],
                         side(own),
-                        {h[i], z[i], n[i]},
-                        patchGradients_[patchi][i]
+                        side(patchi, i),
+                        surroundings_.patchEdges()[patchi][i]
                     )
                 );
 
@@ -306,8 +128,8 @@ void Foam::overlandFlow::assemble
                     i,
                     matrix.volumes().groundEdge(patchi, i),
                     f.value,
-                    f.dFirst*dDepth[own],
-                    h[i] > 0 ? f.dSecond : 0
+                    f.dFirst*dMobile(water, own),
+                    side(patchi, i).depth > 0 ? f.dSecond : 0
                 );
             }
         }
@@ -316,21 +138,26 @@ void Foam::overlandFlow::assemble
             forAll(faces, i)
             {
                 const label own = faces[i];
-                scalar dOutflow;
-                const scalar outflow = edges[i].length*outlets_[patchi].outflow
+
+                surfaceOutlet::edgeWater at;
+                at.depth = mobileDepth_[own];
+                at.bedSlope = edges[i].fallFirst;
+                at.discharge = model_->friction().discharge
                 (
-                    h_[own],
-                    (elevation_[own] - edges[i].elevation)
-                   *edges[i].inverseDistance,
-                    manning_[own],
-                    dOutflow
+                    at.depth,
+                    conveyance_[own],
+                    at.dDischarge
                 );
+
+                scalar dOutflow;
+                const scalar outflow =
+                    edges[i].length*outlets_[patchi].outflow(at, dOutflow);
 
                 matrix.addOutflow
                 (
                     matrix.volumes().groundEdge(patchi, i),
                     outflow,
-                    edges[i].length*dOutflow*dDepth[own]
+                    edges[i].length*dOutflow*dMobile(water, own)
                 );
             }
         }

@@ -37,53 +37,13 @@ namespace overlandFlowModels
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::overlandFlowModels::diffusionWave::diffusionWave(const dictionary& dict)
+Foam::overlandFlowModels::diffusionWave::diffusionWave
+(
+    const dictionary& dict
+)
 :
     overlandFlowModel(dict)
 {}
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::overlandFlowModel::flux
-Foam::overlandFlowModels::diffusionWave::edgeFlux
-(
-    const planGeometry::edgePlan& edge,
-    const side& first,
-    const side& second,
-    const vector2D& gradient
-) const
-{
-    const scalar level1 = first.elevation + first.depth;
-    const scalar level2 = second.elevation + second.depth;
-
-    const scalar normal =
-        (level2 - level1)*edge.inverseDistance + (edge.rest & gradient);
-    const scalar tangential =
-        edge.normal.x()*gradient.y() - edge.normal.y()*gradient.x();
-
-    const bool forward = (normal <= 0);
-    const side& upwind = forward ? first : second;
-    const scalar bed = max(first.elevation, second.elevation);
-    const scalar depth = max((forward ? level1 : level2) - bed, scalar(0));
-
-    scalar dNormal, dDepth;
-    flux result;
-
-    result.value = manningFlux
-    (
-        edge.length,
-        upwind.manning,
-        depth,
-        normal,
-        tangential,
-        dNormal,
-        dDepth
-    );
-    result.dFirst = -dNormal*edge.inverseDistance + (forward ? dDepth : 0);
-    result.dSecond = dNormal*edge.inverseDistance + (forward ? 0 : dDepth);
-
-    return result;
-}
 
 // ************************************************************************* //

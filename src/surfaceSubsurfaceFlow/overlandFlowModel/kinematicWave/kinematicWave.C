@@ -37,48 +37,13 @@ namespace overlandFlowModels
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::overlandFlowModels::kinematicWave::kinematicWave(const dictionary& dict)
+Foam::overlandFlowModels::kinematicWave::kinematicWave
+(
+    const dictionary& dict
+)
 :
     overlandFlowModel(dict)
 {}
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::overlandFlowModel::flux
-Foam::overlandFlowModels::kinematicWave::edgeFlux
-(
-    const planGeometry::edgePlan& edge,
-    const side& first,
-    const side& second,
-    const vector2D& gradient
-) const
-{
-    const scalar normal =
-        (second.elevation - first.elevation)*edge.inverseDistance
-      + (edge.rest & gradient);
-    const scalar tangential =
-        edge.normal.x()*gradient.y() - edge.normal.y()*gradient.x();
-
-    const bool forward = (normal <= 0);
-    const side& upwind = forward ? first : second;
-
-    scalar dNormal, dDepth;
-    flux result;
-
-    result.value = manningFlux
-    (
-        edge.length,
-        upwind.manning,
-        upwind.depth,
-        normal,
-        tangential,
-        dNormal,
-        dDepth
-    );
-    (forward ? result.dFirst : result.dSecond) = dDepth;
-
-    return result;
-}
 
 // ************************************************************************* //

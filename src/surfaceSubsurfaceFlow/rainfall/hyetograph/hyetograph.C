@@ -23,6 +23,8 @@ License
 #include "hyetograph.H"
 #include "Tuple2.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 namespace Foam
@@ -110,6 +112,43 @@ void Foam::Function1Types::hyetograph::setDepths
 }
 
 
+void Foam::Function1Types::hyetograph::setRecord(const dictionary& dict)
+{
+    record_.reset(new rainRecord(dict));
+
+    times_ = record_->times();
+    rates_ = record_->rates();
+    before_ = record_->rateBefore();
+    after_ = record_->rateAfter();
+}
+
+
+Foam::label Foam::Function1Types::hyetograph::interval(const scalar t) const
+{
+    return
+        std::upper_bound(times_.cbegin(), times_.cend(), t)
+      - times_.cbegin() - 1;
+}
+
+
+Foam::scalar Foam::Function1Types::hyetograph::rate(const label i) const
+{
+    const label n = rates_.size();
+    const scalar result = i < 0 ? before_ : i < n ? rates_[i] : after_;
+
+    if (result < 0)
+    {
+        record_->stopAtGap
+        (
+            i < 0 ? -VGREAT : times_[i],
+            i < n ? times_[i + 1] : VGREAT
+        );
+    }
+
+    return result;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::Function1Types::hyetograph::hyetograph
@@ -119,62 +158,69 @@ Foam::Function1Types::hyetograph::hyetograph
 )
 :
     Function1<scalar>(entryName),
+    dict_(dict),
     times_(),
-    rates_()
+    rates_(),
+    before_(0),
+    after_(0),
+    record_()
 {
     const scalar start(dict.lookupOrDefault<scalar>("start", 0));
 
-    if (dict.found("values") == dict.found("depths"))
+    const label nGiven =
+        label(dict.found("values")) + label(dict.found("depths"))
+      + label(dict.found("file"));
+
+    if (nGiven != 1)
     {
         FatalIOErrorInFunction(dict)
-            << "A hyetograph needs either values, pairs of the interval's end"
-            << " [s] and the rate [m/s], or depths [mm] of equal intervals"
-            << exit(FatalIOError);
+            << "A hyetograph needs one of values, pairs of the interval's end"
+            << " [s] and the rate [m/s], depths [mm] of equal intervals, and"
+            << " a csv file" << exit(FatalIOError);
     }
 
     if (dict.found("values"))
     {
         setRates(dict, start);
     }
-    else
+    else if (dict.found("depths"))
     {
         setDepths(dict, start);
+    }
+    else
+    {
+        setRecord(dict);
     }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalarList Foam::Function1Types::hyetograph::breakPoints() const
+Foam::scalar Foam::Function1Types::hyetograph::nextChange
+(
+    const scalar t
+) const
 {
-    DynamicList<scalar> result;
-
-    forAll(times_, i)
+    const auto known = [&](const label i)
     {
-        const scalar before = (i > 0 ? rates_[i-1] : 0);
-        const scalar after = (i < rates_.size() ? rates_[i] : 0);
+        return i < 0 ? before_ : i < rates_.size() ? rates_[i] : after_;
+    };
 
-        if (before != after)
+    for (label i = interval(t) + 1; i < times_.size(); ++i)
+    {
+        if (known(i) != known(i - 1))
         {
-            result.append(times_[i]);
+            return times_[i];
         }
     }
 
-    return scalarList(std::move(result));
+    return VGREAT;
 }
 
 
 Foam::scalar Foam::Function1Types::hyetograph::value(const scalar t) const
 {
-    forAll(rates_, i)
-    {
-        if (t >= times_[i] && t < times_[i+1])
-        {
-            return rates_[i];
-        }
-    }
-
-    return 0;
+    return rate(interval(t));
 }
 
 
@@ -185,12 +231,27 @@ Foam::scalar Foam::Function1Types::hyetograph::integrate
 ) const
 {
     scalar depth = 0;
+    scalar t = t1;
+
+    for (label i = interval(t1); t < t2; ++i)
+    {
+        const scalar end = i + 1 < times_.size() ? min(t2, times_[i + 1]) : t2;
+
+        depth += rate(i)*(end - t);
+        t = end;
+    }
+
+    return depth;
+}
+
+
+Foam::scalar Foam::Function1Types::hyetograph::recorded() const
+{
+    scalar depth = 0;
 
     forAll(rates_, i)
     {
-        const scalar duration = min(t2, times_[i+1]) - max(t1, times_[i]);
-
-        depth += rates_[i]*max(duration, scalar(0));
+        depth += max(rates_[i], scalar(0))*(times_[i + 1] - times_[i]);
     }
 
     return depth;
@@ -199,17 +260,7 @@ Foam::scalar Foam::Function1Types::hyetograph::integrate
 
 void Foam::Function1Types::hyetograph::writeData(Ostream& os) const
 {
-    os.beginBlock(name());
-    os.writeEntry("type", type());
-    os.writeEntry("start", times_.first());
-
-    List<Tuple2<scalar, scalar>> values(rates_.size());
-    forAll(values, i)
-    {
-        values[i] = Tuple2<scalar, scalar>(times_[i+1], rates_[i]);
-    }
-    os.writeEntry("values", values);
-    os.endBlock();
+    dict_.writeEntry(name(), os);
 }
 
 // ************************************************************************* //

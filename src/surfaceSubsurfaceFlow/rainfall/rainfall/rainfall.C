@@ -21,83 +21,21 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "rainfall.H"
-#include "hyetograph.H"
-#include "TableBase.H"
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-Foam::rainfall::rainfall(const dictionary& dict)
-:
-    dict_(dict),
-    rate_(Function1<scalar>::New("rainfall", dict)),
-    breakPoints_()
+namespace Foam
 {
-    if (isA<Function1Types::hyetograph>(*rate_))
-    {
-        breakPoints_ =
-            refCast<const Function1Types::hyetograph>(*rate_).breakPoints();
-    }
-    else if
-    (
-        const auto* table =
-            dynamic_cast<const Function1Types::TableBase<scalar>*>(rate_.get())
-    )
-    {
-        breakPoints_ = table->x();
-
-        for (const scalar t : breakPoints_)
-        {
-            if (table->value(t) < 0)
-            {
-                FatalIOErrorInFunction(dict_)
-                    << "rainfall is " << table->value(t) << " m/s at t = "
-                    << t << " s; rain must be >= 0" << exit(FatalIOError);
-            }
-        }
-    }
-    else
-    {
-        // Of a constant the whole, of any other function its beginning
-        depth(0, 1);
-    }
+    defineTypeNameAndDebug(rainfall, 0);
+    defineRunTimeSelectionTable(rainfall, dictionary);
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::rainfall::depth(const scalar t1, const scalar t2) const
+Foam::rainfall::record Foam::rainfall::recorded() const
 {
-    const scalar result = rate_->integrate(t1, t2);
-
-    if (!(result >= 0))
-    {
-        FatalIOErrorInFunction(dict_)
-            << "rainfall amounts to " << result << " m between t = " << t1
-            << " s and " << t2 << " s; rain must be >= 0"
-            << exit(FatalIOError);
-    }
-
-    return result;
-}
-
-
-Foam::scalar Foam::rainfall::nextBreakPoint(const scalar t) const
-{
-    for (const scalar breakPoint : breakPoints_)
-    {
-        if (breakPoint > t)
-        {
-            return breakPoint;
-        }
-    }
-
-    return VGREAT;
-}
-
-
-void Foam::rainfall::write(Ostream& os) const
-{
-    rate_->writeData(os);
+    return record();
 }
 
 // ************************************************************************* //

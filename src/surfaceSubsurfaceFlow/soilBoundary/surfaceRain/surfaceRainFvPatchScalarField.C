@@ -33,8 +33,7 @@ Foam::surfaceRainFvPatchScalarField::surfaceRainFvPatchScalarField
 )
 :
     soilBoundaryFvPatchScalarField(p, iF),
-    rainDict_(),
-    rain_()
+    rainDict_()
 {}
 
 
@@ -46,9 +45,19 @@ Foam::surfaceRainFvPatchScalarField::surfaceRainFvPatchScalarField
 )
 :
     soilBoundaryFvPatchScalarField(p, iF, dict),
-    rainDict_(dict),
-    rain_(new rainfall(dict))
-{}
+    rainDict_()
+{
+    for (const word key : {"rainfall", "rainfallCoeffs"})
+    {
+        if (const entry* e = dict.findEntry(key, keyType::LITERAL))
+        {
+            rainDict_.add(*e);
+        }
+    }
+
+    // For messages
+    rainDict_.name() = dict.name();
+}
 
 
 Foam::surfaceRainFvPatchScalarField::surfaceRainFvPatchScalarField
@@ -60,8 +69,7 @@ Foam::surfaceRainFvPatchScalarField::surfaceRainFvPatchScalarField
 )
 :
     soilBoundaryFvPatchScalarField(ptf, p, iF, mapper),
-    rainDict_(ptf.rainDict_),
-    rain_(new rainfall(rainDict_))
+    rainDict_(ptf.rainDict_)
 {}
 
 
@@ -71,8 +79,7 @@ Foam::surfaceRainFvPatchScalarField::surfaceRainFvPatchScalarField
 )
 :
     soilBoundaryFvPatchScalarField(ptf),
-    rainDict_(ptf.rainDict_),
-    rain_(new rainfall(rainDict_))
+    rainDict_(ptf.rainDict_)
 {}
 
 
@@ -83,8 +90,7 @@ Foam::surfaceRainFvPatchScalarField::surfaceRainFvPatchScalarField
 )
 :
     soilBoundaryFvPatchScalarField(ptf, iF),
-    rainDict_(ptf.rainDict_),
-    rain_(new rainfall(rainDict_))
+    rainDict_(ptf.rainDict_)
 {}
 
 
@@ -93,7 +99,10 @@ Foam::surfaceRainFvPatchScalarField::surfaceRainFvPatchScalarField
 void Foam::surfaceRainFvPatchScalarField::write(Ostream& os) const
 {
     fvPatchScalarField::write(os);
-    rain_->write(os);
+    forAllConstIters(rainDict_, e)
+    {
+        e().write(os);
+    }
     writeEntry("value", os);
 }
 

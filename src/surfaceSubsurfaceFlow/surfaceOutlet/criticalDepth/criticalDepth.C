@@ -21,6 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "criticalDepth.H"
+#include "standardGravity.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -40,10 +41,11 @@ namespace surfaceOutlets
 Foam::surfaceOutlets::criticalDepth::criticalDepth
 (
     const word& patchName,
+    const scalar length,
     const dictionary& dict
 )
 :
-    surfaceOutlet(patchName, dict)
+    surfaceOutlet(patchName, length, dict)
 {}
 
 
@@ -51,19 +53,15 @@ Foam::surfaceOutlets::criticalDepth::criticalDepth
 
 Foam::scalar Foam::surfaceOutlets::criticalDepth::outflow
 (
-    const scalar depth,
-    const scalar,
-    const scalar,
+    const edgeWater& water,
     scalar& dDepth
 ) const
 {
-    // Standard acceleration of free fall [m/s2]
-    const scalar g = 9.80665;
-    const scalar velocity = sqrt(g*depth);
+    const scalar velocity = sqrt(standardGravity*water.depth);
 
     dDepth = 1.5*velocity;
 
-    return velocity*depth;
+    return velocity*water.depth;
 }
 
 // ************************************************************************* //

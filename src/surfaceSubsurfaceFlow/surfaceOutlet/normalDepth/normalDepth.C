@@ -41,10 +41,11 @@ namespace surfaceOutlets
 Foam::surfaceOutlets::normalDepth::normalDepth
 (
     const word& patchName,
+    const scalar length,
     const dictionary& dict
 )
 :
-    surfaceOutlet(patchName, dict),
+    surfaceOutlet(patchName, length, dict),
     dict_(dict),
     slope_
     (
@@ -81,18 +82,15 @@ void Foam::surfaceOutlets::normalDepth::checkEdge
 
 Foam::scalar Foam::surfaceOutlets::normalDepth::outflow
 (
-    const scalar depth,
-    const scalar bedSlope,
-    const scalar manning,
+    const edgeWater& water,
     scalar& dDepth
 ) const
 {
-    const scalar slope = (slope_ > 0 ? slope_ : bedSlope);
-    const scalar velocity = sqr(cbrt(depth))*sqrt(slope)/manning;
+    const scalar root = sqrt(slope_ > 0 ? slope_ : water.bedSlope);
 
-    dDepth = (5.0/3.0)*velocity;
+    dDepth = root*water.dDischarge;
 
-    return velocity*depth;
+    return root*water.discharge;
 }
 
 // ************************************************************************* //

@@ -36,6 +36,7 @@ namespace Foam
 Foam::surfaceOutlet::surfaceOutlet
 (
     const word& patchName,
+    const scalar,
     const dictionary&
 )
 :

@@ -27,6 +27,7 @@ License
 Foam::autoPtr<Foam::surfaceOutlet> Foam::surfaceOutlet::New
 (
     const word& patchName,
+    const scalar length,
     const dictionary& dict
 )
 {
@@ -45,7 +46,7 @@ Foam::autoPtr<Foam::surfaceOutlet> Foam::surfaceOutlet::New
         )   << exit(FatalIOError);
     }
 
-    return autoPtr<surfaceOutlet>(ctor()(patchName, dict));
+    return autoPtr<surfaceOutlet>(ctor()(patchName, length, dict));
 }
 
 // ************************************************************************* //

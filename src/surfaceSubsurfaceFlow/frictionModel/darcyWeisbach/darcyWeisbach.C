@@ -1,0 +1,72 @@
+/*---------------------------------------------------------------------------*\
+    slideFoam | from rain to runout
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by the
+    Free Software Foundation, either version 3 of the License, or (at your
+    option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE. See the GNU General Public License for
+    more details.
+
+    You should have received a copy of the GNU General Public License along
+    with slideFoam. If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "darcyWeisbach.H"
+#include "standardGravity.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace frictionModels
+{
+    defineTypeNameAndDebug(darcyWeisbach, 0);
+    addToRunTimeSelectionTable(frictionModel, darcyWeisbach, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::frictionModels::darcyWeisbach::darcyWeisbach(const dictionary& dict)
+:
+    frictionModel(dict)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::frictionModels::darcyWeisbach::conveyance
+(
+    const scalar coefficient
+) const
+{
+    return sqrt(8*standardGravity/coefficient);
+}
+
+
+Foam::scalar Foam::frictionModels::darcyWeisbach::discharge
+(
+    const scalar depth,
+    const scalar conveyance,
+    scalar& dDepth
+) const
+{
+    const scalar speed = conveyance*sqrt(depth);
+
+    dDepth = 1.5*speed;
+
+    return speed*depth;
+}
+
+// ************************************************************************* //

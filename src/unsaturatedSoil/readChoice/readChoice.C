@@ -1,0 +1,58 @@
+/*---------------------------------------------------------------------------*\
+    slideFoam | from rain to runout
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by the
+    Free Software Foundation, either version 3 of the License, or (at your
+    option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE. See the GNU General Public License for
+    more details.
+
+    You should have received a copy of the GNU General Public License along
+    with slideFoam. If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "readChoice.H"
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::word Foam::readChoice
+(
+    const dictionary& dict,
+    const word& key,
+    const wordList& choices
+)
+{
+    const word value(dict.get<word>(key));
+
+    if (!choices.found(value))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << key << "' of " << dict.name() << " is " << value
+            << "; it must be one of " << choices << exit(FatalIOError);
+    }
+
+    return value;
+}
+
+
+Foam::word Foam::readChoiceOrDefault
+(
+    const dictionary& dict,
+    const word& key,
+    const word& defaultValue,
+    const wordList& choices
+)
+{
+    return dict.found(key) ? readChoice(dict, key, choices) : defaultValue;
+}
+
+// ************************************************************************* //
