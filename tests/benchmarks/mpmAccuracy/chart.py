@@ -1,0 +1,99 @@
+"""Chart of mpmAccuracy.csv: error against processor time, with the front.
+
+Usage: chart.py <mpmAccuracy.csv> <mpmAccuracy.png>
+
+slideFoam | from rain to runout
+Copyright (C) 2026 the slideFoam authors, GPL-3.0-or-later
+"""
+
+import csv
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402 (the backend comes first)
+
+
+def read(path):
+    """Rows of the table, and what its comments say."""
+    with open(path, encoding="utf-8") as table:
+        lines = table.read().splitlines()
+    notes = [line[2:] for line in lines if line.startswith("#")]
+    rows = csv.DictReader(line for line in lines if not line.startswith("#"))
+    return notes, list(rows)
+
+
+COLOURS = {
+    "APIC": "tab:blue",
+    "TPIC": "tab:cyan",
+    "AFLIP": "tab:green",
+    "FLIP": "tab:orange",
+    "XPIC": "tab:red",
+    "PIC": "tab:gray",
+}
+MARKERS = {
+    "quadraticBSpline": "o",
+    "cubicBSpline": "s",
+    "linear": "x",
+    "uGIMP": "^",
+    "cpGIMP": "v",
+}
+
+
+def front(points):
+    """Those points that no other beats in both time and error."""
+    best = []
+    for time, error, name in sorted(points):
+        if not best or error < best[-1][1]:
+            best.append((time, error, name))
+    return best
+
+
+def main(source, target):
+    """One panel a case."""
+    notes, rows = read(source)
+    cases = list(dict.fromkeys(row["case"] for row in rows))
+    figure, panels = plt.subplots(2, 3, figsize=(15, 9))
+    for axes, case in zip(panels.flat, cases):
+        points = []
+        for row in rows:
+            if row["case"] != case or row["failed"] == "1":
+                continue
+            time = max(float(row["cpu_s"]), 1e-4)
+            error = float(row["error"])
+            name = f"{row['shape']} {row['transfer']} {row['update']}"
+            points.append((time, error, name))
+            axes.scatter(
+                time,
+                error,
+                color=COLOURS[row["transfer"]],
+                marker=MARKERS[row["shape"]],
+                s=22,
+                alpha=0.7,
+            )
+        best = front(points)
+        axes.plot([p[0] for p in best], [p[1] for p in best], "k-", lw=1)
+        axes.annotate(best[-1][2], best[-1][:2], fontsize=7)
+        axes.set_xscale("log")
+        axes.set_yscale("log")
+        axes.set_title(case)
+        axes.set_xlabel("processor seconds")
+        axes.set_ylabel("error")
+    legend = panels.flat[-1]
+    legend.axis("off")
+    for transfer, colour in COLOURS.items():
+        legend.scatter([], [], color=colour, label=transfer)
+    for shape, marker in MARKERS.items():
+        legend.scatter([], [], color="k", marker=marker, label=shape)
+    legend.plot([], [], "k-", label="front of the best choices")
+    legend.legend(loc="center")
+    figure.suptitle("; ".join(notes), fontsize=8)
+    figure.tight_layout()
+    figure.savefig(target, dpi=100)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    main(sys.argv[1], sys.argv[2])
