@@ -45,6 +45,9 @@ Usage
     With points from a file (see Foam::slidePoints) neither mesh nor fields are
     needed, and the hydrological time is 0 unless -time chooses another.
 
+    With -parallel the ranks share the slide. The case is decomposed for as many
+    ranks, or not at all; then each of them reads the whole of it.
+
     Sample runs:
     \verbatim
     mpmFoam -time 0
@@ -60,6 +63,7 @@ See also
 #include "fvCFD.H"
 #include "landslideRunout.H"
 #include "selectedTimes.H"
+#include "wholeCase.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -79,8 +83,24 @@ int main(int argc, char *argv[])
     argList::addOption("stability", "label", "Whose factor of safety to ask");
 
     #include "addRegionOption.H"
+    argList::noCheckProcessorDirectories();
     #include "setRootCase.H"
-    #include "createTime.H"
+
+    const bool isWhole = isWholeCase(args);
+    const parallelSwitch reading(Pstream::parRun() && !isWhole);
+
+    autoPtr<Time> timePtr
+    (
+        isWhole
+      ? new Time
+        (
+            Time::controlDictName,
+            args.rootPath(),
+            args.globalCaseName()
+        )
+      : new Time(Time::controlDictName, args)
+    );
+    Time& runTime = *timePtr;
 
     dictionary options;
     for

@@ -41,7 +41,7 @@ void Foam::fieldToPointMapping::gather
     Pstream::gatherList(allPoints);
     Pstream::gatherList(allValues);
 
-    if (Pstream::master())
+    if (Pstream::master() || !Pstream::parRun())
     {
         forAll(allPoints, proci)
         {

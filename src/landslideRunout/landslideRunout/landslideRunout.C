@@ -25,6 +25,7 @@ License
 #include "functionObject.H"
 #include "Time.H"
 #include "timeTable.H"
+#include "wholeCase.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -167,13 +168,10 @@ void Foam::landslideRunout::execute
 
         verdict_.setRelief(start.relief());
 
-        outcome result{0, 0};
-        if (Pstream::master())
-        {
-            result = slide(start, allWalls);
-        }
-        Pstream::scatter(result.maxDisplacement);
-        Pstream::scatter(result.front);
+        // On all ranks, also if each has read the whole case for itself
+        const parallelSwitch shared(UPstream::nProcs() > 1);
+
+        const outcome result(slide(start, allWalls));
         end = result;
 
         Info<< "    Verdict at time " << time_.timeName() << ": "

@@ -187,8 +187,8 @@ mpm::Settings Foam::landslideRunout::settings(const slidePoints& points) const
         {
             "symmetry", "shapeFunction", "transferScheme", "stressUpdate",
             "flipTime", "flipBlend", "xpicOrder", "cfl", "maxDeltaT",
-            "sortInterval", "threads", "massCutOff", "movedDistance",
-            "restVelocity", "frontDirection"
+            "sortInterval", "threads", "maxImbalance", "massCutOff",
+            "movedDistance", "restVelocity", "frontDirection"
         }
     );
 
@@ -220,6 +220,7 @@ mpm::Settings Foam::landslideRunout::settings(const slidePoints& points) const
     dict.readIfPresent("maxDeltaT", s.maxDeltaT);
     dict.readIfPresent("sortInterval", s.sortInterval);
     dict.readIfPresent("threads", s.threads);
+    dict.readIfPresent("maxImbalance", s.maxImbalance);
     dict.readIfPresent("massCutOff", s.massCutOff);
     dict.readIfPresent("movedDistance", s.movedDistance);
     dict.readIfPresent("restVelocity", s.restVelocity);
@@ -322,11 +323,12 @@ Foam::word Foam::landslideRunout::digest
 ) const
 {
     // How long a slide is followed and how it is judged may change, and the
-    // number of threads does not matter
+    // numbers of threads and ranks do not matter
     dictionary relevant(properties_);
     relevant.remove("slide");
     relevant.remove("verdict");
     relevant.subDictOrAdd("numerics").remove("threads");
+    relevant.subDict("numerics").remove("maxImbalance");
 
     OStringStream os;
     os.precision(std::numeric_limits<scalar>::max_digits10);
@@ -397,7 +399,7 @@ Foam::landslideRunout::writtenFactorOfSafety() const
     // Of an hour, the first method's
     std::optional<scalar> result;
 
-    if (Pstream::master())
+    if (Pstream::master() || !Pstream::parRun())
     {
         const fileName folder
         (

@@ -23,6 +23,7 @@ License
 #include "landslideRunout.H"
 #include "cpuTime.H"
 #include "mpmChecked.H"
+#include "pstreamCommunicator.H"
 #include "slideRecord.H"
 #include "slideState.H"
 #include "Time.H"
@@ -116,7 +117,8 @@ Foam::landslideRunout::outcome Foam::landslideRunout::slide
                 runSettings,
                 data,
                 points.materials(),
-                walls
+                walls,
+                std::make_shared<pstreamCommunicator>()
             );
         }
     );
@@ -127,7 +129,7 @@ Foam::landslideRunout::outcome Foam::landslideRunout::slide
         name_ == typeName ? word("mpm") : word("mpm_" + name_)
     );
 
-    slideState state(time_.timePath(), stateName, digest(data, walls));
+    slideState state(time_, stateName, digest(data, walls));
 
     if (!state.kept())
     {
@@ -140,6 +142,12 @@ Foam::landslideRunout::outcome Foam::landslideRunout::slide
     start(*run, state, record, points);
 
     mpm::Diagnostics d(run->diagnostics());
+
+    if (run->nRanks() > 1)
+    {
+        Info<< "    " << run->nRanks() << " ranks, of which " << d.idleRanks
+            << " have no points" << endl;
+    }
 
     const auto write =
         [&]()
@@ -197,6 +205,13 @@ Foam::landslideRunout::outcome Foam::landslideRunout::slide
         << "        put back: " << label(d.clampedByWalls)
         << " times by walls, " << label(d.clampedByGrid)
         << " times by the grid's largest extent" << nl
+        << (
+               run->nRanks() > 1
+             ? "        blocks changed hands " + Foam::name(label(d.rebalances))
+             + " times; largest share of the work over the mean "
+             + Foam::name(d.imbalance) + "\n"
+             : string()
+           ).c_str()
         << "        CPU time " << clock.elapsedCpuTime() << " s" << endl;
 
     return outcome

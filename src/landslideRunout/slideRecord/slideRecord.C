@@ -22,6 +22,7 @@ License
 
 #include "slideRecord.H"
 #include "OSspecific.H"
+#include "Pstream.H"
 #include "outputFolder.H"
 #include "pointTable.H"
 #include "slideFrame.H"
@@ -34,7 +35,8 @@ License
 
 Foam::pointTable Foam::slideRecord::table(const mpm::Run& run) const
 {
-    const label n = run.nPoints();
+    // Only the master has the values
+    const label n = run.master() ? run.nPoints() : 0;
 
     const auto vectors =
         [&](const word& name)
@@ -159,6 +161,11 @@ bool Foam::slideRecord::reaches(const scalar time) const
 
 void Foam::slideRecord::goOnFrom(const scalar time)
 {
+    if (!Pstream::master())
+    {
+        return;
+    }
+
     runout_.removeAfter(time);
 
     // The point files that are there, by the times in their names
@@ -206,12 +213,19 @@ void Foam::slideRecord::add(const mpm::Diagnostics& d)
 
 void Foam::slideRecord::write(const mpm::Run& run)
 {
+    const pointTable points(table(run));
+
+    if (!run.master())
+    {
+        return;
+    }
+
     runout_.write();
 
     pointSetWriters::vtpPointSetWriter().write
     (
         folder_/pointFile(run.time()),
-        table(run),
+        points,
         run.time()
     );
 
@@ -227,12 +241,17 @@ void Foam::slideRecord::write(const mpm::Run& run)
 
 void Foam::slideRecord::writeFinal(const mpm::Run& run) const
 {
-    pointSetWriters::vtpPointSetWriter().write
-    (
-        folder_/"final.vtp",
-        table(run),
-        run.time()
-    );
+    const pointTable points(table(run));
+
+    if (run.master())
+    {
+        pointSetWriters::vtpPointSetWriter().write
+        (
+            folder_/"final.vtp",
+            points,
+            run.time()
+        );
+    }
 }
 
 // ************************************************************************* //

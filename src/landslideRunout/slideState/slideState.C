@@ -26,6 +26,8 @@ License
 #include "ListOps.H"
 #include "OFstream.H"
 #include "OSspecific.H"
+#include "Pstream.H"
+#include "Time.H"
 #include "dictionary.H"
 #include "outputFolder.H"
 #include "slideControl.H"
@@ -68,16 +70,42 @@ Foam::fileName Foam::slideState::folder(const scalar time) const
 }
 
 
+Foam::fileName Foam::slideState::findFolder
+(
+    const Time& time,
+    const word& name
+)
+{
+    // A decomposed case: that of the first processor, unless the case itself
+    // has this time and there are no states yet
+    const fileName whole(time.globalPath()/time.timeName());
+    fileName found;
+
+    if (Pstream::master())
+    {
+        found =
+            isDir(time.timePath()/name) || !isDir(whole)
+          ? time.timePath()
+          : whole;
+
+        found = isDir(found) ? found/name : fileName();
+    }
+    Pstream::scatter(found);
+
+    return found;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::slideState::slideState
 (
-    const fileName& timeFolder,
+    const Time& time,
     const word& name,
     const word& digest
 )
 :
-    folder_(isDir(timeFolder) ? timeFolder/name : fileName()),
+    folder_(findFolder(time, name)),
     digest_(digest),
     row_(0),
     lookTime_(0),
@@ -95,38 +123,51 @@ bool Foam::slideState::restore
     const slideRecord& record
 )
 {
-    if (!kept() || !isDir(folder_))
+    // The master looks
+    scalar found = -1;
+
+    if (Pstream::master() && kept() && isDir(folder_))
+    {
+        for (const scalar time : times())
+        {
+            IFstream is(folder(time)/"state");
+            const dictionary dict(is);
+
+            if
+            (
+                dict.get<word>("digest") == digest_
+             && time <= timeTable::rounded(control.endTime())
+             && record.reaches(time)
+            )
+            {
+                found = time;
+                lookTime_ = dict.get<scalar>("lookTime");
+                lookDisplacement_ = dict.get<scalar>("lookDisplacement");
+                atRest_ = dict.get<bool>("atRest");
+                break;
+            }
+        }
+    }
+    Pstream::scatter(found);
+
+    if (found < 0)
     {
         return false;
     }
 
-    for (const scalar time : times())
+    Pstream::scatter(lookTime_);
+    Pstream::scatter(lookDisplacement_);
+    Pstream::scatter(atRest_);
+
+    std::ifstream runStream;
+    if (Pstream::master())
     {
-        IFstream is(folder(time)/"state");
-        const dictionary dict(is);
-
-        if
-        (
-            dict.get<word>("digest") != digest_
-         || time > timeTable::rounded(control.endTime())
-         || !record.reaches(time)
-        )
-        {
-            continue;
-        }
-
-        std::ifstream runStream(folder(time)/"run", std::ios::binary);
-        run.restore(runStream);
-
-        row_ = control.rowAt(run.time());
-        lookTime_ = dict.get<scalar>("lookTime");
-        lookDisplacement_ = dict.get<scalar>("lookDisplacement");
-        atRest_ = dict.get<bool>("atRest");
-
-        return true;
+        runStream.open(folder(found)/"run", std::ios::binary);
     }
+    run.restore(runStream);
+    row_ = control.rowAt(run.time());
 
-    return false;
+    return true;
 }
 
 
@@ -161,20 +202,27 @@ void Foam::slideState::save(const mpm::Run& run) const
     const fileName complete(folder(run.time()));
     const fileName unfinished(complete + ".unfinished");
 
-    makeOutputFolder(unfinished);
-
+    std::ofstream runStream;
+    if (Pstream::master())
     {
-        std::ofstream os(unfinished/"run", std::ios::binary);
-        run.save(os);
-
-        if (!os.flush())
-        {
-            throw std::runtime_error
-            (
-                "can't write the file " + unfinished + "/run"
-            );
-        }
+        makeOutputFolder(unfinished);
+        runStream.open(unfinished/"run", std::ios::binary);
     }
+    run.save(runStream);
+
+    if (!Pstream::master())
+    {
+        return;
+    }
+
+    if (!runStream.flush())
+    {
+        throw std::runtime_error
+        (
+            "can't write the file " + unfinished + "/run"
+        );
+    }
+    runStream.close();
 
     {
         OFstream os(unfinished/"state");

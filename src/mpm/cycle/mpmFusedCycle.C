@@ -51,6 +51,7 @@ void mpm::FusedCycle<Dim>::scatterPatches
             }
         }
     );
+    state.completePatches();
 }
 
 

@@ -89,6 +89,7 @@ void mpm::GenericCycle<Dim, Shape>::balance
         (
             [&](Index b) { scatterPoints(state, b, true, deltaT); }
         );
+        state.completePatches();
         state.forBlocks
         (
             [&](Index b)
@@ -103,6 +104,7 @@ void mpm::GenericCycle<Dim, Shape>::balance
 
     before_.resize(state.grid.nodes.size());
     state.forBlocks([&](Index b) { scatterPoints(state, b, true, 0); });
+    state.completePatches();
     state.forBlocks
     (
         [&](Index b)
@@ -130,6 +132,7 @@ void mpm::GenericCycle<Dim, Shape>::balance
             }
         }
     );
+    state.completePatches();
     state.forBlocks
     (
         [&](Index b)
@@ -160,6 +163,7 @@ void mpm::GenericCycle<Dim, Shape>::filter(State<Dim>& state)
     {
         c *= -double(scheme_.order() - k)/(k + 1);
         state.forBlocks([&](Index b) { smooth(state, b); });
+        state.completePatches();
         state.forBlocks
         (
             [&](Index b)
@@ -229,6 +233,7 @@ void mpm::GenericCycle<Dim, Shape>::step
     if (mapsTwice)
     {
         state.forBlocks([&](Index b) { scatterPoints(state, b, true, 0); });
+        state.completePatches();
         state.forBlocks
         (
             [&](Index b)
@@ -255,6 +260,7 @@ void mpm::GenericCycle<Dim, Shape>::scatter
     typedef const std::size_t Index;
 
     state.forBlocks([&](Index b) { scatterPoints(state, b, true, deltaT); });
+    state.completePatches();
     state.forBlocks
     (
         [&](Index b)

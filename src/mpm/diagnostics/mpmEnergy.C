@@ -82,12 +82,13 @@ template<int Dim>
 void mpm::sumEnergies
 (
     const State<Dim>& state,
+    const std::vector<std::int32_t>& points,
     const double secondMoment,
     Diagnostics& sums
 )
 {
     const PointCloud<Dim>& cloud = state.cloud;
-    for (std::size_t i = 0; i < cloud.size(); ++i)
+    for (const std::int32_t i : points)
     {
         const double m = cloud.mass[i];
         sums.mass += m;
@@ -121,8 +122,19 @@ void mpm::sumEnergies
 
 // * * * * * * * * * * * * * Explicit Instantiations * * * * * * * * * * * * //
 
-template void mpm::sumEnergies(const State<2>&, double, Diagnostics&);
-template void mpm::sumEnergies(const State<3>&, double, Diagnostics&);
+#define instantiate(Dim)                                                       \
+    template void mpm::sumEnergies                                             \
+    (                                                                          \
+        const State<Dim>&,                                                     \
+        const std::vector<std::int32_t>&,                                      \
+        double,                                                                \
+        Diagnostics&                                                           \
+    );
+
+instantiate(2)
+instantiate(3)
+
+#undef instantiate
 
 
 // ************************************************************************* //

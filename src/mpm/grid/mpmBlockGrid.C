@@ -248,6 +248,28 @@ mpm::Vector<Dim> mpm::BlockGrid<Dim>::position
 
 
 template<int Dim>
+bool mpm::BlockGrid<Dim>::isOwn(const Block& block, const int node) const
+{
+    for (int corner = 0; corner < nCorners; ++corner)
+    {
+        const std::int32_t from = block.minus[corner];
+        bool covers = from >= 0 && blocks_[from].adds();
+        for (int d = 0; d < Dim; ++d)
+        {
+            const int local = (node >> (d*log2Edge)) & (edge - 1);
+            covers =
+                covers && (!((corner >> d) & 1) || local < reach_);
+        }
+        if (covers)
+        {
+            return !blocks_[from].ghost;
+        }
+    }
+    return true;
+}
+
+
+template<int Dim>
 template<int Reach>
 void mpm::BlockGrid<Dim>::collect
 (
@@ -312,7 +334,7 @@ void mpm::BlockGrid<Dim>::sum
     for (int corner = 0; corner < nCorners; ++corner)
     {
         const std::int32_t from = block.minus[corner];
-        if (from < 0 || blocks_[from].points.empty())
+        if (from < 0 || !blocks_[from].adds())
         {
             continue;
         }
@@ -342,6 +364,14 @@ void mpm::BlockGrid<Dim>::sum
             }
         }
     }
+}
+
+
+template<int Dim>
+std::int32_t mpm::BlockGrid<Dim>::lookUp(const Coordinates& at) const
+{
+    const auto found = index_.find(key(at));
+    return found == index_.end() ? -1 : found->second;
 }
 
 

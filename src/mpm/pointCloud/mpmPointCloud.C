@@ -21,7 +21,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "mpmPointCloud.H"
-#include "mpmBinary.H"
 #include "mpmNames.H"
 
 #include <cmath>
@@ -29,32 +28,39 @@ License
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<int Dim>
-void mpm::PointCloud<Dim>::assign(const PointData& data)
+void mpm::PointCloud<Dim>::assign
+(
+    const PointData& data,
+    const std::size_t first,
+    const std::size_t end
+)
 {
-    const std::size_t n = data.size();
-    forAll([n](auto& a) { a.assign(n, {}); });
+    forAll([n = end - first](auto& a) { a.assign(n, {}); });
 
-    for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = first; j < end; ++j)
     {
+        const std::size_t i = j - first;
         for (int d = 0; d < Dim; ++d)
         {
-            x[i][d] = data.position[i][d];
-            v[i][d] = data.velocity.empty() ? 0.0 : data.velocity[i][d];
+            x[i][d] = data.position[j][d];
+            v[i][d] = data.velocity.empty() ? 0.0 : data.velocity[j][d];
         }
         for (int c = 0; c < nStress<Dim>; ++c)
         {
-            sigma[i][c] = data.sigma.empty() ? 0.0 : data.sigma[i][c];
+            sigma[i][c] = data.sigma.empty() ? 0.0 : data.sigma[j][c];
         }
-        volume[i] = data.volume[i];
-        mass[i] = data.rho[i]*data.volume[i];
+        volume[i] = data.volume[j];
+        mass[i] = data.rho[j]*data.volume[j];
         cohesion[i] =
-            data.cohesionIntercept.empty() ? 0.0 : data.cohesionIntercept[i];
+            data.cohesionIntercept.empty() ? 0.0 : data.cohesionIntercept[j];
         porePressure[i] =
-            data.porePressure.empty() ? 0.0 : data.porePressure[i];
-        id[i] = std::int32_t(i);
+            data.porePressure.empty() ? 0.0 : data.porePressure[j];
+        id[i] = std::int32_t(j);
     }
     leftCauchyGreen.clear();
     halfSize.clear();
+    heldCohesion.clear();
+    heldLaw.clear();
 }
 
 
@@ -97,6 +103,24 @@ void mpm::PointCloud<Dim>::keepSize()
 
 
 template<int Dim>
+void mpm::PointCloud<Dim>::hold()
+{
+    heldCohesion = cohesion;
+    heldLaw = law;
+}
+
+
+template<int Dim>
+void mpm::PointCloud<Dim>::release()
+{
+    cohesion.swap(heldCohesion);
+    law.swap(heldLaw);
+    heldCohesion = std::vector<double>();
+    heldLaw = std::vector<std::int32_t>();
+}
+
+
+template<int Dim>
 void mpm::PointCloud<Dim>::reorder(const std::vector<std::int32_t>& order)
 {
     forAll
@@ -123,23 +147,6 @@ std::size_t mpm::PointCloud<Dim>::bytes() const
         [&sum](const auto& a) { sum += a.capacity()*sizeof(a[0]); }
     );
     return sum;
-}
-
-
-template<int Dim>
-void mpm::PointCloud<Dim>::write(std::ostream& os) const
-{
-    const_cast<PointCloud&>(*this).forAll
-    (
-        [&os](const auto& a) { writeBinary(os, a); }
-    );
-}
-
-
-template<int Dim>
-void mpm::PointCloud<Dim>::read(std::istream& is)
-{
-    forAll([&is](auto& a) { readBinary(is, a); });
 }
 
 

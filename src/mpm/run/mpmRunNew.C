@@ -33,7 +33,8 @@ std::unique_ptr<mpm::Run> mpm::Run::New
     const Settings& settings,
     const PointData& points,
     const std::vector<Material>& materials,
-    const std::vector<WallSettings>& walls
+    const std::vector<WallSettings>& walls,
+    const std::shared_ptr<Communicator>& communicator
 )
 {
     // Refuses any other dimension
@@ -43,10 +44,13 @@ std::unique_ptr<mpm::Run> mpm::Run::New
     {
         return std::make_unique<Simulation<2>>
         (
-            settings, points, materials, walls
+            settings, points, materials, walls, communicator
         );
     }
-    return std::make_unique<Simulation<3>>(settings, points, materials, walls);
+    return std::make_unique<Simulation<3>>
+    (
+        settings, points, materials, walls, communicator
+    );
 }
 
 

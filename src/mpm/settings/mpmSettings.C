@@ -160,6 +160,7 @@ void mpm::Settings::validate(const int dimension) const
     );
     require(sortInterval >= 1, "sortInterval", sortInterval, ">= 1");
     require(threads >= 1, "threads", threads, ">= 1");
+    require(maxImbalance > 1, "maxImbalance", maxImbalance, "> 1");
     require
     (
         massCutOff >= 0 && massCutOff < 1,

@@ -21,9 +21,10 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "mpmSimulation.H"
-#include "mpmBinary.H"
+#include "mpmMigration.H"
 #include "mpmNames.H"
 #include "mpmPointTensor.H"
+#include "mpmReduce.H"
 #include "mpmSort.H"
 #include "neoHookean.H"
 
@@ -83,9 +84,8 @@ void mpm::Simulation<Dim>::findSpeeds()
 {
     const PointCloud<Dim>& cloud = state_.cloud;
 
-    clock_.speed2 = clock_.wave2 = 0;
-    totalMass_ = 0;
-    state_.maxMass = 0;
+    std::vector<double> maxima(3, 0.0);
+    ExactSum mass;
     for (std::size_t i = 0; i < cloud.size(); ++i)
     {
         double speed2 = 0;
@@ -103,11 +103,18 @@ void mpm::Simulation<Dim>::findSpeeds()
           : law.stiffness;
         const double wave2 = stiffness*cloud.volume[i]/cloud.mass[i];
 
-        clock_.speed2 = std::max(clock_.speed2, speed2);
-        clock_.wave2 = std::max(clock_.wave2, wave2);
-        state_.maxMass = std::max(state_.maxMass, cloud.mass[i]);
-        totalMass_ += cloud.mass[i];
+        maxima[0] = std::max(maxima[0], speed2);
+        maxima[1] = std::max(maxima[1], wave2);
+        maxima[2] = std::max(maxima[2], cloud.mass[i]);
+        mass.add(cloud.mass[i]);
     }
+
+    std::vector<ExactSum> sums{mass};
+    reduceExact(*state_.communicator, maxima, sums);
+    clock_.speed2 = maxima[0];
+    clock_.wave2 = maxima[1];
+    state_.maxMass = maxima[2];
+    totalMass_ = sums[0].value();
 }
 
 
@@ -135,7 +142,13 @@ void mpm::Simulation<Dim>::sort()
 template<int Dim>
 void mpm::Simulation<Dim>::collectReports()
 {
-    clock_.speed2 = clock_.wave2 = clock_.kineticEnergy = 0;
+    Migration<Dim> migration(state_);
+    enum { speed2, wave2, minusBroken, reach, opens, nMaxima };
+    std::vector<double> maxima(nMaxima, 0.0);
+    std::vector<ExactSum> energy(1);
+    const double noPoint = -double(nPoints_);
+    std::int32_t broken = -1;
+    maxima[minusBroken] = noPoint;
 
     const std::size_t nBlocks = state_.grid.size();
     for (std::size_t b = 0; b < nBlocks; ++b)
@@ -143,26 +156,56 @@ void mpm::Simulation<Dim>::collectReports()
         const BlockReport<Dim>& report = state_.reports[b];
         if (report.broken >= 0)
         {
-            stopAt(report.broken);
+            const double id = state_.cloud.id[report.broken];
+            if (-id > maxima[minusBroken])
+            {
+                maxima[minusBroken] = -id;
+                broken = report.broken;
+            }
         }
-        clock_.speed2 = std::max(clock_.speed2, report.speed2);
-        clock_.wave2 = std::max(clock_.wave2, report.wave2);
-        clock_.kineticEnergy += report.kineticEnergy;
+        maxima[speed2] = std::max(maxima[speed2], report.speed2);
+        maxima[wave2] = std::max(maxima[wave2], report.wave2);
+        energy[0].add(report.kineticEnergy);
         clock_.clampedByWalls += report.clampedByWalls;
         clock_.clampedByGrid += report.clampedByGrid;
-
         for (const auto& leaving : report.leaving)
         {
-            const std::int32_t target = state_.grid.find(leaving.to);
-            state_.grid[target].points.push_back(leaving.point);
+            migration.add(leaving.point, leaving.to);
         }
     }
-    state_.reports.resize(state_.grid.size());
+    maxima[reach] = migration.reach();
+    maxima[opens] = migration.opens();
+    const double mine = maxima[minusBroken];
+    reduceExact(*state_.communicator, maxima, energy);
+
+    if (maxima[minusBroken] > noPoint)
+    {
+        state_.communicator->agree
+        (
+            [&]()
+            {
+                if (mine == maxima[minusBroken])
+                {
+                    throw std::runtime_error(describeBroken(broken));
+                }
+            }
+        );
+    }
+    clock_.speed2 = maxima[speed2];
+    clock_.wave2 = maxima[wave2];
+    clock_.kineticEnergy = energy[0].value();
+
+    migration.send(typename Migration<Dim>::Reach(maxima[reach]));
+    migration.settle();
+    if (maxima[opens] > 0 || maxima[reach] == Migration<Dim>::anywhere)
+    {
+        state_.connect();
+    }
 }
 
 
 template<int Dim>
-void mpm::Simulation<Dim>::stopAt(const std::int32_t p) const
+std::string mpm::Simulation<Dim>::describeBroken(const std::int32_t p) const
 {
     const PointCloud<Dim>& cloud = state_.cloud;
     const LawTable::Law& law = state_.laws[cloud.law[p]];
@@ -184,7 +227,7 @@ void mpm::Simulation<Dim>::stopAt(const std::int32_t p) const
         << " in step " << clock_.step + 1 << " after time " << clock_.time
         << " s (step length " << clock_.deltaT << " s, volume "
         << cloud.volume[p] << " m3)";
-    throw std::runtime_error(message.str());
+    return message.str();
 }
 
 
@@ -193,7 +236,7 @@ typename mpm::Simulation<Dim>::Good mpm::Simulation<Dim>::keep() const
 {
     std::ostringstream blocks;
     state_.grid.write(blocks);
-    return Good{state_.cloud, blocks.str(), clock_};
+    return Good{state_.cloud, blocks.str(), state_.partition, clock_};
 }
 
 
@@ -202,9 +245,10 @@ void mpm::Simulation<Dim>::goBack(const Good& good)
 {
     std::istringstream blocks(good.blocks);
     state_.grid.read(blocks);
-    state_.reports.resize(state_.grid.size());
     state_.cloud = good.cloud;
+    state_.partition = good.partition;
     clock_ = good.clock;
+    state_.connect();
 }
 
 
@@ -225,7 +269,8 @@ mpm::Simulation<Dim>::Simulation
     const Settings& settings,
     const PointData& points,
     const std::vector<Material>& materials,
-    const std::vector<WallSettings>& walls
+    const std::vector<WallSettings>& walls,
+    const std::shared_ptr<Communicator>& communicator
 )
 :
     state_
@@ -244,14 +289,21 @@ mpm::Simulation<Dim>::Simulation
             return o;
         }(),
         makeWalls(settings, walls),
-        materials
+        materials,
+        communicator
     ),
     cycle_(Cycle<Dim>::New(settings)),
     clock_(),
+    nPoints_(points.size()),
     totalMass_(0)
 {
     points.validate(Dim, materials.size());
-    state_.cloud.assign(points);
+
+    // Each rank takes up an equal part, then gives each point to its owner
+    const std::size_t rank = communicator->rank();
+    const std::size_t nRanks = communicator->size();
+    const std::size_t first = nPoints_*rank/nRanks;
+    state_.cloud.assign(points, first, nPoints_*(rank + 1)/nRanks);
     if
     (
         settings.shapeFunction == "uGIMP" || settings.shapeFunction == "cpGIMP"
@@ -261,22 +313,36 @@ mpm::Simulation<Dim>::Simulation
     }
     if (settings.axisymmetric())
     {
-        state_.cloud.turn();
+        communicator->agree([this]() { state_.cloud.turn(); });
     }
 
-    std::vector<double> angles(points.frictionAngle);
-    angles.resize(points.size(), 0);
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-        state_.cloud.law[i] = state_.laws.find(points.zone[i], angles[i]);
-    }
+    communicator->agree
+    (
+        [&]()
+        {
+            for (std::size_t i = 0; i < state_.cloud.size(); ++i)
+            {
+                state_.cloud.law[i] = state_.laws.find
+                (
+                    points.zone[first + i],
+                    points.frictionAngle.empty()
+                  ? 0
+                  : points.frictionAngle[first + i]
+                );
+            }
+            if (state_.laws.needsDeformation())
+            {
+                refuseStressOfDeformation(ownField("sigma"));
+            }
+        }
+    );
     if (state_.laws.needsDeformation())
     {
-        refuseStressOfDeformation(field("sigma"));
         state_.cloud.keepDeformation();
     }
 
     findSpeeds();
+    placePoints(state_, *cycle_);
     sort();
 }
 
@@ -343,100 +409,6 @@ template<int Dim>
 void mpm::Simulation<Dim>::useGenericKernels()
 {
     cycle_ = Cycle<Dim>::NewGeneric(state_.settings);
-}
-
-
-template<int Dim>
-void mpm::Simulation<Dim>::save(std::ostream& os) const
-{
-    static const char magic[] = "slideFoam mpm 2";
-    os.write(magic, sizeof(magic));
-    writeBinary(os, std::int32_t(Dim));
-    writeBinary(os, state_.settings.cellSize);
-    writeBinary(os, clock_);
-
-    // Laws are made anew from zones and angles
-    std::vector<std::int32_t> zones(state_.laws.size());
-    std::vector<double> angles(state_.laws.size());
-    for (std::size_t i = 0; i < state_.laws.size(); ++i)
-    {
-        zones[i] = state_.laws[i].zone;
-        angles[i] = state_.laws[i].frictionAngle;
-    }
-    writeBinary(os, zones);
-    writeBinary(os, angles);
-
-    state_.cloud.write(os);
-    state_.grid.write(os);
-    if (!os)
-    {
-        throw std::runtime_error("The run could not be written");
-    }
-}
-
-
-template<int Dim>
-void mpm::Simulation<Dim>::restore(std::istream& is)
-{
-    char magic[sizeof("slideFoam mpm 2")];
-    std::int32_t dim = 0;
-    double cellSize = 0;
-    is.read(magic, sizeof(magic));
-    if (!is || std::string(magic, sizeof(magic) - 1) != "slideFoam mpm 2")
-    {
-        throw std::runtime_error("This is not a saved run");
-    }
-    readBinary(is, dim);
-    readBinary(is, cellSize);
-    if (dim != Dim || cellSize != state_.settings.cellSize)
-    {
-        std::ostringstream message;
-        message
-            << "The saved run has dimension " << dim << " and cells of "
-            << cellSize << " m, this one " << Dim << " and "
-            << state_.settings.cellSize << " m";
-        throw std::runtime_error(message.str());
-    }
-
-    readBinary(is, clock_);
-    std::vector<std::int32_t> zones;
-    std::vector<double> angles;
-    readBinary(is, zones);
-    readBinary(is, angles);
-    LawTable laws(state_.laws.materials(), state_.settings.cellSize);
-    for (std::size_t i = 0; i < zones.size(); ++i)
-    {
-        if
-        (
-            zones[i] < 0
-         || std::size_t(zones[i]) >= laws.materials().size()
-        )
-        {
-            throw std::runtime_error
-            (
-                "The saved run has a zone " + std::to_string(zones[i])
-              + " where " + std::to_string(laws.materials().size())
-              + " materials are given"
-            );
-        }
-        laws.find(zones[i], angles[i]);
-    }
-    state_.laws = laws;
-    state_.cloud.read(is);
-    if (laws.needsDeformation() == state_.cloud.leftCauchyGreen.empty())
-    {
-        throw std::runtime_error
-        (
-            "The saved run was made with other constitutive models"
-        );
-    }
-    state_.grid.read(is);
-    state_.reports.resize(state_.grid.size());
-
-    // Masses are those of the saved points
-    const Clock clock = clock_;
-    findSpeeds();
-    clock_ = clock;
 }
 
 

@@ -21,8 +21,10 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "mpmEnergy.H"
+#include "mpmReduce.H"
 #include "mpmSimulation.H"
 
+#include <algorithm>
 #include <limits>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -50,6 +52,88 @@ double along(const Vector<Dim>& x, const Direction& direction)
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<int Dim>
+void mpm::Simulation<Dim>::addEnergies(Diagnostics& result) const
+{
+    // Block by block in the order of the lists, then exactly
+    const double cellSize = state_.settings.cellSize;
+    const double secondMoment = cycle_->secondMoment()*cellSize*cellSize;
+
+    const auto forNumbers = [](Diagnostics& d, const auto& f)
+    {
+        std::size_t i = 0;
+        f(i++, d.mass);
+        f(i++, d.volume);
+        f(i++, d.kineticEnergy);
+        f(i++, d.affineKineticEnergy);
+        f(i++, d.elasticEnergy);
+        f(i++, d.potentialEnergy);
+        for (int c = 0; c < 3; ++c)
+        {
+            f(i++, d.momentum[c]);
+            f(i++, d.angularMomentum[c]);
+        }
+        return i;
+    };
+
+    std::vector<ExactSum> sums
+    (
+        forNumbers(result, [](std::size_t, double&) {})
+    );
+    for (std::size_t b = 0; b < state_.grid.size(); ++b)
+    {
+        Diagnostics part;
+        sumEnergies(state_, state_.grid[b].points, secondMoment, part);
+        forNumbers
+        (
+            part,
+            [&sums](const std::size_t i, const double x) { sums[i].add(x); }
+        );
+    }
+    std::vector<double> nothing;
+    reduceExact(*state_.communicator, nothing, sums);
+    forNumbers
+    (
+        result,
+        [&sums](const std::size_t i, double& x) { x = sums[i].value(); }
+    );
+    result.rmsVelocity = std::sqrt(2*result.kineticEnergy/result.mass);
+}
+
+
+template<int Dim>
+double mpm::Simulation<Dim>::kthSmallest
+(
+    const std::vector<double>& values,
+    const std::size_t k
+) const
+{
+    Communicator& communicator = *state_.communicator;
+    Buffer mine;
+    append(mine, values.data(), values.size());
+
+    Buffer chosen;
+    std::vector<double> all;
+    for (const Buffer& buffer : communicator.gather(mine))
+    {
+        const std::size_t n = all.size();
+        std::size_t at = 0;
+        all.resize(n + buffer.size()/sizeof(double));
+        take(buffer, at, all.data() + n, all.size() - n);
+    }
+    if (communicator.master())
+    {
+        std::nth_element(all.begin(), all.begin() + k, all.end());
+        append(chosen, &all[k], 1);
+    }
+    communicator.broadcast(chosen);
+    double result = 0;
+    std::size_t at = 0;
+    take(chosen, at, &result, 1);
+    return result;
+}
+
+
+template<int Dim>
 mpm::Diagnostics mpm::Simulation<Dim>::diagnostics() const
 {
     const Settings& settings = state_.settings;
@@ -61,20 +145,9 @@ mpm::Diagnostics mpm::Simulation<Dim>::diagnostics() const
     result.deltaT = clock_.deltaT;
     result.step = long(clock_.step);
     result.sorts = long(clock_.sorts);
-    result.clampedByWalls = clock_.clampedByWalls;
-    result.clampedByGrid = clock_.clampedByGrid;
-    result.activeBlocks = state_.grid.size();
-    result.bytesPerPoint =
-        double(cloud.bytes() + state_.grid.bytes() + cycle_->bytes())
-       /double(n);
-
-    sumEnergies
-    (
-        state_,
-        cycle_->secondMoment()*settings.cellSize*settings.cellSize,
-        result
-    );
-    result.rmsVelocity = std::sqrt(2*result.kineticEnergy/result.mass);
+    result.imbalance = state_.imbalance;
+    result.rebalances = long(state_.rebalances);
+    addEnergies(result);
 
     // A tenth of a cell is more than a soil at rest creeps
     const double moved =
@@ -82,7 +155,24 @@ mpm::Diagnostics mpm::Simulation<Dim>::diagnostics() const
       ? settings.movedDistance
       : 0.1*settings.cellSize;
     const Vector<Dim> upward = up(settings);
-    result.crest = -std::numeric_limits<double>::max();
+
+    enum { displacement, velocity, plasticStrain, crest, front, nMaxima };
+    constexpr double lowest = -std::numeric_limits<double>::max();
+    std::vector<double> maxima(nMaxima, 0.0);
+    maxima[crest] = maxima[front] = lowest;
+
+    enum
+    {
+        active, yielding, movedPoints, byWalls, byGrid, blocks, bytes, idle,
+        nSums
+    };
+    std::vector<std::int64_t> sums(nSums, 0);
+    sums[byWalls] = clock_.clampedByWalls;
+    sums[byGrid] = clock_.clampedByGrid;
+    sums[blocks] = state_.grid.size();
+    sums[bytes] = cloud.bytes() + state_.grid.bytes() + cycle_->bytes();
+    sums[idle] = n == 0;
+
     std::vector<double> fronts;
     for (std::size_t i = 0; i < n; ++i)
     {
@@ -91,26 +181,42 @@ mpm::Diagnostics mpm::Simulation<Dim>::diagnostics() const
             along<Dim>(cloud.displacement[i], cloud.displacement[i])
         );
         const double v = std::sqrt(along<Dim>(cloud.v[i], cloud.v[i]));
-        result.maxDisplacement = std::max(result.maxDisplacement, u);
-        result.maxVelocity = std::max(result.maxVelocity, v);
-        result.maxPlasticStrain =
-            std::max(result.maxPlasticStrain, cloud.plasticStrain[i]);
-        result.crest = std::max(result.crest, along<Dim>(cloud.x[i], upward));
-        result.activePoints += v > settings.restVelocity;
-        result.yieldingPoints += cloud.yielding[i];
+        maxima[displacement] = std::max(maxima[displacement], u);
+        maxima[velocity] = std::max(maxima[velocity], v);
+        maxima[plasticStrain] =
+            std::max(maxima[plasticStrain], cloud.plasticStrain[i]);
+        maxima[crest] =
+            std::max(maxima[crest], along<Dim>(cloud.x[i], upward));
+        sums[active] += v > settings.restVelocity;
+        sums[yielding] += cloud.yielding[i];
         if (u > moved)
         {
             fronts.push_back(along<Dim>(cloud.x[i], settings.frontDirection));
+            maxima[front] = std::max(maxima[front], fronts.back());
         }
     }
+    sums[movedPoints] = fronts.size();
+    state_.communicator->reduce(maxima, sums);
 
-    result.movedPoints = fronts.size();
-    if (!fronts.empty())
+    result.maxDisplacement = maxima[displacement];
+    result.maxVelocity = maxima[velocity];
+    result.maxPlasticStrain = maxima[plasticStrain];
+    result.crest = maxima[crest];
+    result.activePoints = sums[active];
+    result.yieldingPoints = sums[yielding];
+    result.movedPoints = sums[movedPoints];
+    result.clampedByWalls = sums[byWalls];
+    result.clampedByGrid = sums[byGrid];
+    result.activeBlocks = sums[blocks];
+    result.bytesPerPoint = double(sums[bytes])/double(nPoints_);
+    result.idleRanks = int(sums[idle]);
+    if (result.movedPoints > 0)
     {
-        const std::size_t most = std::size_t(0.99*double(fronts.size() - 1));
-        std::sort(fronts.begin(), fronts.end());
-        result.front = fronts.back();
-        result.front99 = fronts[most];
+        result.front = maxima[front];
+        result.front99 = kthSmallest
+        (
+            fronts, std::size_t(0.99*double(result.movedPoints - 1))
+        );
     }
 
     return result;
@@ -119,8 +225,19 @@ mpm::Diagnostics mpm::Simulation<Dim>::diagnostics() const
 
 // * * * * * * * * * * * * * Explicit Instantiations * * * * * * * * * * * * //
 
-template mpm::Diagnostics mpm::Simulation<2>::diagnostics() const;
-template mpm::Diagnostics mpm::Simulation<3>::diagnostics() const;
+#define instantiate(Dim)                                                       \
+    template void mpm::Simulation<Dim>::addEnergies(Diagnostics&) const;       \
+    template double mpm::Simulation<Dim>::kthSmallest                          \
+    (                                                                          \
+        const std::vector<double>&,                                            \
+        std::size_t                                                            \
+    ) const;                                                                   \
+    template mpm::Diagnostics mpm::Simulation<Dim>::diagnostics() const;
+
+instantiate(2)
+instantiate(3)
+
+#undef instantiate
 
 
 // ************************************************************************* //

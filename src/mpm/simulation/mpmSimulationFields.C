@@ -39,8 +39,7 @@ void mpm::Simulation<Dim>::refuseStressOfDeformation
     for (std::size_t i = 0; i < cloud.size(); ++i)
     {
         const LawTable::Law& law = state_.laws[cloud.law[i]];
-        const auto first =
-            sigma.begin() + std::size_t(cloud.id[i])*nComponents;
+        const auto first = sigma.begin() + i*nComponents;
         if
         (
             law.model == LawTable::Model::neoHookean
@@ -71,25 +70,34 @@ void mpm::Simulation<Dim>::setFrictionAngle(const std::vector<double>& angles)
 
     // All angles are looked at before any point changes
     std::vector<std::int32_t> law(cloud.size());
-    for (std::size_t i = 0; i < cloud.size(); ++i)
-    {
-        const double angle = angles[cloud.id[i]];
-        require
-        (
-            angle >= 0 && angle < 90,
-            "point " + std::to_string(cloud.id[i]) + ": frictionAngle",
-            angle, "0 <= frictionAngle < 90 [deg]"
-        );
-        law[i] = state_.laws.find(state_.laws[cloud.law[i]].zone, angle);
-    }
+    state_.communicator->agree
+    (
+        [&]()
+        {
+            for (std::size_t i = 0; i < cloud.size(); ++i)
+            {
+                const double angle = angles[cloud.id[i]];
+                require
+                (
+                    angle >= 0 && angle < 90,
+                    "point " + std::to_string(cloud.id[i])
+                  + ": frictionAngle",
+                    angle, "0 <= frictionAngle < 90 [deg]"
+                );
+                law[i] =
+                    state_.laws.find(state_.laws[cloud.law[i]].zone, angle);
+            }
+        }
+    );
     cloud.law.swap(law);
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
 template<int Dim>
-std::vector<double> mpm::Simulation<Dim>::field(const std::string& name) const
+std::vector<double> mpm::Simulation<Dim>::ownField
+(
+    const std::string& name
+) const
 {
     const PointCloud<Dim>& cloud = state_.cloud;
     const std::size_t n = cloud.size();
@@ -100,7 +108,7 @@ std::vector<double> mpm::Simulation<Dim>::field(const std::string& name) const
     {
         for (std::size_t i = 0; i < n; ++i)
         {
-            values[cloud.id[i]] = double(get(i));
+            values[i] = double(get(i));
         }
     };
     const auto arrays = [&](const auto& source)
@@ -111,7 +119,7 @@ std::vector<double> mpm::Simulation<Dim>::field(const std::string& name) const
             (
                 source[i].begin(),
                 source[i].end(),
-                values.begin() + std::size_t(cloud.id[i])*nComponents
+                values.begin() + i*nComponents
             );
         }
     };
@@ -159,6 +167,37 @@ std::vector<double> mpm::Simulation<Dim>::field(const std::string& name) const
 }
 
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<int Dim>
+std::vector<double> mpm::Simulation<Dim>::field(const std::string& name) const
+{
+    const std::size_t nComponents = Run::nComponents(name);
+    const std::vector<double> own(ownField(name));
+    const std::vector<std::int32_t>& id = state_.cloud.id;
+
+    Buffer mine;
+    append(mine, id.data(), id.size());
+    append(mine, own.data(), own.size());
+
+    std::vector<double> values(master() ? nPoints_*nComponents : 0);
+    for (const Buffer& buffer : state_.communicator->gather(mine))
+    {
+        const std::size_t n =
+            buffer.size()/(sizeof(id[0]) + nComponents*sizeof(own[0]));
+        std::size_t atId = 0;
+        std::size_t at = n*sizeof(id[0]);
+        for (std::size_t i = 0; i < n; ++i)
+        {
+            std::int32_t place = 0;
+            take(buffer, atId, &place, 1);
+            take(buffer, at, &values[place*nComponents], nComponents);
+        }
+    }
+    return values;
+}
+
+
 template<int Dim>
 void mpm::Simulation<Dim>::setField
 (
@@ -176,7 +215,7 @@ void mpm::Simulation<Dim>::setField
     PointCloud<Dim>& cloud = state_.cloud;
     const std::size_t n = cloud.size();
     const int nComponents = Run::nComponents(name);
-    requireSize(name, values.size(), n*nComponents);
+    requireSize(name, values.size(), nPoints_*nComponents);
     for (const double value : values)
     {
         require(std::isfinite(value), name, value, "finite");
@@ -208,7 +247,17 @@ void mpm::Simulation<Dim>::setField
     else if (name == "equivalentPlasticStrain") scalars(cloud.plasticStrain);
     else if (name == "sigma")
     {
-        refuseStressOfDeformation(values);
+        std::vector<double> own;
+        for (std::size_t i = 0; i < n; ++i)
+        {
+            const auto first =
+                values.begin() + std::size_t(cloud.id[i])*nComponents;
+            own.insert(own.end(), first, first + nComponents);
+        }
+        state_.communicator->agree
+        (
+            [&]() { refuseStressOfDeformation(own); }
+        );
         arrays(cloud.sigma);
     }
     else if (name == "displacement") arrays(cloud.displacement);
@@ -234,25 +283,25 @@ template void mpm::Simulation<3>::refuseStressOfDeformation
 template void mpm::Simulation<2>::setFrictionAngle(const std::vector<double>&);
 template void mpm::Simulation<3>::setFrictionAngle(const std::vector<double>&);
 
-template std::vector<double> mpm::Simulation<2>::field
-(
-    const std::string&
-) const;
-template std::vector<double> mpm::Simulation<3>::field
-(
-    const std::string&
-) const;
+#define instantiate(Dim)                                                       \
+    template std::vector<double> mpm::Simulation<Dim>::ownField                \
+    (                                                                          \
+        const std::string&                                                     \
+    ) const;                                                                   \
+    template std::vector<double> mpm::Simulation<Dim>::field                   \
+    (                                                                          \
+        const std::string&                                                     \
+    ) const;                                                                   \
+    template void mpm::Simulation<Dim>::setField                               \
+    (                                                                          \
+        const std::string&,                                                    \
+        const std::vector<double>&                                             \
+    );
 
-template void mpm::Simulation<2>::setField
-(
-    const std::string&,
-    const std::vector<double>&
-);
-template void mpm::Simulation<3>::setField
-(
-    const std::string&,
-    const std::vector<double>&
-);
+instantiate(2)
+instantiate(3)
+
+#undef instantiate
 
 
 // ************************************************************************* //

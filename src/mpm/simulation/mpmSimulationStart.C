@@ -23,6 +23,7 @@ License
 #include "mpmNames.H"
 #include "mpmOverburden.H"
 #include "mpmPointTensor.H"
+#include "mpmReduce.H"
 #include "mpmSimulation.H"
 
 #include <stdexcept>
@@ -110,6 +111,7 @@ void mpm::Simulation<Dim>::setColumnStress(const StartSettings& settings)
     {
         vertical = overburden<Dim>
         (
+            *state_.communicator,
             cloud,
             upward,
             std::sqrt(g2),
@@ -179,7 +181,9 @@ double mpm::Simulation<Dim>::outOfBalance()
     // Without velocities, what the points give in one second is the force
     cycle_->scatter(state_, 1.0);
 
-    double unbalanced = 0, weight = 0;
+    std::vector<ExactSum> sums(2);
+    ExactSum& unbalanced = sums[0];
+    ExactSum& weight = sums[1];
     for (std::size_t b = 0; b < state_.grid.size(); ++b)
     {
         std::vector<Node> force
@@ -187,12 +191,17 @@ double mpm::Simulation<Dim>::outOfBalance()
             state_.grid.nodesOf(b),
             state_.grid.nodesOf(b) + BlockGrid<Dim>::nNodes
         );
-        for (Node& f : force)
+        for (int i = 0; i < BlockGrid<Dim>::nNodes; ++i)
         {
+            Node& f = force[i];
+            if (!state_.grid.isOwn(state_.grid[b], i))
+            {
+                f = Node{};
+            }
             for (int d = 0; d < Dim; ++d)
             {
                 const double w = f[massOf]*state_.gravity[d];
-                weight += w*w;
+                weight.add(w*w);
                 f[d] += w;
             }
         }
@@ -205,11 +214,17 @@ double mpm::Simulation<Dim>::outOfBalance()
         {
             for (int d = 0; d < Dim; ++d)
             {
-                unbalanced += f[d]*f[d];
+                unbalanced.add(f[d]*f[d]);
             }
         }
     }
-    return weight > 0 ? std::sqrt(unbalanced/weight) : 0;
+
+    std::vector<double> nothing;
+    reduceExact(*state_.communicator, nothing, sums);
+    return
+        weight.value() > 0
+      ? std::sqrt(unbalanced.value()/weight.value())
+      : 0;
 }
 
 
@@ -217,7 +232,8 @@ template<int Dim>
 void mpm::Simulation<Dim>::measureExcess(StartReport& report) const
 {
     const PointCloud<Dim>& cloud = state_.cloud;
-    std::size_t outside = 0;
+    std::vector<double> maxExcess(1, 0.0);
+    std::vector<std::int64_t> outside(1, 0);
     for (std::size_t i = 0; i < cloud.size(); ++i)
     {
         const LawTable::Law& law = state_.laws[cloud.law[i]];
@@ -235,11 +251,13 @@ void mpm::Simulation<Dim>::measureExcess(StartReport& report) const
         const double scale = std::fabs(s.first) + std::fabs(s.third);
         if (excess > 1e-9*scale)
         {
-            ++outside;
-            report.maxExcess = std::max(report.maxExcess, excess);
+            ++outside[0];
+            maxExcess[0] = std::max(maxExcess[0], excess);
         }
     }
-    report.outsideFraction = double(outside)/double(cloud.size());
+    state_.communicator->reduce(maxExcess, outside);
+    report.maxExcess = maxExcess[0];
+    report.outsideFraction = double(outside[0])/double(nPoints_);
 }
 
 
@@ -253,17 +271,15 @@ mpm::StartReport mpm::Simulation<Dim>::comeToRest
     PointCloud<Dim>& cloud = state_.cloud;
 
     // Strength of the stable soil
-    const std::vector<double> cohesion = field("cohesionIntercept");
-    const std::vector<double> angle = field("frictionAngle");
-    std::vector<double> stable =
-        settings.stableCohesionIntercept.empty()
-      ? cohesion
-      : settings.stableCohesionIntercept;
-    for (double& c : stable)
+    cloud.hold();
+    if (!settings.stableCohesionIntercept.empty())
+    {
+        setField("cohesionIntercept", settings.stableCohesionIntercept);
+    }
+    for (double& c : cloud.cohesion)
     {
         c += settings.addedCohesion;
     }
-    setField("cohesionIntercept", stable);
     if (!settings.stableFrictionAngle.empty())
     {
         setField("frictionAngle", settings.stableFrictionAngle);
@@ -291,7 +307,9 @@ mpm::StartReport mpm::Simulation<Dim>::comeToRest
 
     // What the soil did on its way to rest
     const Vector<Dim> upward = up(state_.settings);
-    std::size_t yielded = 0;
+    enum { settlement, moved, nMaxima };
+    std::vector<double> maxima(nMaxima, 0.0);
+    std::vector<std::int64_t> yielded(1, 0);
     for (std::size_t i = 0; i < cloud.size(); ++i)
     {
         double height = 0, square = 0;
@@ -300,12 +318,14 @@ mpm::StartReport mpm::Simulation<Dim>::comeToRest
             height += cloud.displacement[i][d]*upward[d];
             square += cloud.displacement[i][d]*cloud.displacement[i][d];
         }
-        report.settlement = std::max(report.settlement, -height);
-        report.maxDisplacement =
-            std::max(report.maxDisplacement, std::sqrt(square));
-        yielded += cloud.plasticStrain[i] > 0;
+        maxima[settlement] = std::max(maxima[settlement], -height);
+        maxima[moved] = std::max(maxima[moved], std::sqrt(square));
+        yielded[0] += cloud.plasticStrain[i] > 0;
     }
-    report.yieldedFraction = double(yielded)/double(cloud.size());
+    state_.communicator->reduce(maxima, yielded);
+    report.settlement = maxima[settlement];
+    report.maxDisplacement = maxima[moved];
+    report.yieldedFraction = double(yielded[0])/double(nPoints_);
 
     // A new beginning
     halt();
@@ -315,15 +335,13 @@ mpm::StartReport mpm::Simulation<Dim>::comeToRest
     );
     std::fill(cloud.plasticStrain.begin(), cloud.plasticStrain.end(), 0.0);
     std::fill(cloud.yielding.begin(), cloud.yielding.end(), 0);
-    report.outOfBalance = outOfBalance();
-
-    setField("cohesionIntercept", cohesion);
-    setField("frictionAngle", angle);
-    measureExcess(report);
+    cloud.release();
 
     clock_ = Clock();
     findSpeeds();
     sort();
+    report.outOfBalance = outOfBalance();
+    measureExcess(report);
 
     return report;
 }

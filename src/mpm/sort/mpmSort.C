@@ -21,7 +21,11 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "mpmSort.H"
+#include "mpmBalance.H"
+#include "mpmMigration.H"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
@@ -33,104 +37,32 @@ namespace mpm
 namespace
 {
 
-//- Blocks that hold points, and the block of each point
+//- Block of a point; throws if it is beyond the largest grid
 template<int Dim>
-class Occupied
+typename BlockGrid<Dim>::Coordinates blockOf
+(
+    const State<Dim>& state,
+    const Cycle<Dim>& cycle,
+    const std::size_t i
+)
 {
-    typedef typename BlockGrid<Dim>::Coordinates Coordinates;
-
-    struct Hash
+    typename BlockGrid<Dim>::Coordinates at;
+    if (!cycle.blockOf(state.grid, state.cloud.x[i], at))
     {
-        std::size_t operator()(const Coordinates& at) const
+        std::ostringstream message;
+        message << "point " << state.cloud.id[i] << " at (";
+        for (const double x : state.cloud.x[i])
         {
-            std::size_t h = 0;
-            for (const std::int32_t c : at)
-            {
-                // An odd multiplier of the golden ratio spreads the bits
-                h = (h ^ std::uint32_t(c))*0x9e3779b97f4a7c15ull;
-            }
-            return h ^ (h >> 32);
+            message << ' ' << x;
         }
-    };
-
-    std::unordered_map<Coordinates, std::int32_t, Hash> index_;
-
-
-public:
-
-    std::vector<Coordinates> blocks;
-    std::vector<std::int32_t> ofPoint;
-
-    Occupied(const State<Dim>& state, const Cycle<Dim>& cycle)
-    :
-        ofPoint(state.cloud.size())
-    {
-        Coordinates last{};
-        std::int32_t lastIndex = -1;
-        for (std::size_t i = 0; i < ofPoint.size(); ++i)
-        {
-            Coordinates at;
-            if (!cycle.blockOf(state.grid, state.cloud.x[i], at))
-            {
-                std::ostringstream message;
-                message
-                    << "point " << state.cloud.id[i] << " at (";
-                for (const double x : state.cloud.x[i])
-                {
-                    message << ' ' << x;
-                }
-                message
-                    << " ) is farther from the origin of the grid than "
-                    << BlockGrid<Dim>::maxBlock << " blocks of "
-                    << BlockGrid<Dim>::edge << " cells";
-                throw std::invalid_argument(message.str());
-            }
-
-            if (lastIndex < 0 || at != last)
-            {
-                const auto entry =
-                    index_.emplace(at, std::int32_t(blocks.size()));
-                if (entry.second)
-                {
-                    blocks.push_back(at);
-                }
-                last = at;
-                lastIndex = entry.first->second;
-            }
-            ofPoint[i] = lastIndex;
-        }
+        message
+            << " ) is farther from the origin of the grid than "
+            << BlockGrid<Dim>::maxBlock << " blocks of "
+            << BlockGrid<Dim>::edge << " cells";
+        throw std::invalid_argument(message.str());
     }
-
-    //- Row by row; the position of each block in that order
-    std::vector<std::int32_t> arrange()
-    {
-        std::vector<std::int32_t> order(blocks.size());
-        std::iota(order.begin(), order.end(), 0);
-        std::sort
-        (
-            order.begin(),
-            order.end(),
-            [this](const std::int32_t a, const std::int32_t b)
-            {
-                return std::lexicographical_compare
-                (
-                    blocks[a].rbegin(), blocks[a].rend(),
-                    blocks[b].rbegin(), blocks[b].rend()
-                );
-            }
-        );
-
-        std::vector<Coordinates> arranged(blocks.size());
-        std::vector<std::int32_t> rank(blocks.size());
-        for (std::size_t i = 0; i < order.size(); ++i)
-        {
-            arranged[i] = blocks[order[i]];
-            rank[order[i]] = std::int32_t(i);
-        }
-        blocks.swap(arranged);
-        return rank;
-    }
-};
+    return at;
+}
 
 
 //- Cell of a point within its block
@@ -156,6 +88,60 @@ int cellOf
     return cell;
 }
 
+
+//- Blocks with points
+template<int Dim>
+std::vector<std::int32_t> occupied(const BlockGrid<Dim>& grid)
+{
+    std::vector<std::int32_t> blocks;
+    for (std::size_t b = 0; b < grid.size(); ++b)
+    {
+        if (!grid[b].points.empty())
+        {
+            blocks.push_back(std::int32_t(b));
+        }
+    }
+    return blocks;
+}
+
+
+//- Points whose block is another one by a bit of round-off change lists
+template<int Dim>
+void moveStrays(State<Dim>& state, const Cycle<Dim>& cycle)
+{
+    Migration<Dim> migration(state);
+    state.communicator->agree
+    (
+        [&]()
+        {
+            for (std::size_t b = 0; b < state.grid.size(); ++b)
+            {
+                auto& block = state.grid[b];
+                std::size_t kept = 0;
+                for (const std::int32_t p : block.points)
+                {
+                    const auto at = blockOf(state, cycle, p);
+                    if (at == block.at)
+                    {
+                        block.points[kept++] = p;
+                    }
+                    else
+                    {
+                        migration.add(p, at);
+                    }
+                }
+                block.points.resize(kept);
+            }
+        }
+    );
+
+    std::vector<double> reach{double(migration.reach())};
+    std::vector<std::int64_t> nothing;
+    state.communicator->reduce(reach, nothing);
+    migration.send(typename Migration<Dim>::Reach(reach[0]));
+    migration.settle();
+}
+
 } // End anonymous namespace
 } // End namespace mpm
 
@@ -163,58 +149,141 @@ int cellOf
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 template<int Dim>
+void mpm::placePoints(State<Dim>& state, const Cycle<Dim>& cycle)
+{
+    const std::size_t n = state.cloud.size();
+    std::vector<typename BlockGrid<Dim>::Coordinates> at(n);
+    state.communicator->agree
+    (
+        [&]()
+        {
+            for (std::size_t i = 0; i < n; ++i)
+            {
+                at[i] = blockOf(state, cycle, i);
+            }
+        }
+    );
+
+    if (state.communicator->size() > 1)
+    {
+        std::vector<Partition::Weight> weights;
+        for (std::size_t i = 0; i < n; ++i)
+        {
+            if (i == 0 || at[i] != at[i - 1])
+            {
+                weights.push_back({hilbertKey<Dim>(at[i]), 0});
+            }
+            ++weights.back().work;
+        }
+        state.partition.cut(*state.communicator, weights);
+    }
+
+    Migration<Dim> migration(state);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        migration.add(std::int32_t(i), at[i]);
+    }
+    if (state.communicator->size() > 1)
+    {
+        migration.send(Migration<Dim>::anywhere);
+    }
+    migration.settle();
+}
+
+
+template<int Dim>
+std::vector<std::int32_t> mpm::alongCurve(const BlockGrid<Dim>& grid)
+{
+    std::vector<std::pair<std::uint64_t, std::int32_t>> places;
+    for (const std::int32_t b : occupied(grid))
+    {
+        places.emplace_back(hilbertKey<Dim>(grid[b].at), b);
+    }
+    std::sort(places.begin(), places.end());
+
+    std::vector<std::int32_t> blocks;
+    for (const auto& place : places)
+    {
+        blocks.push_back(place.second);
+    }
+    return blocks;
+}
+
+
+template<int Dim>
 void mpm::sortPoints(State<Dim>& state, const Cycle<Dim>& cycle)
 {
     constexpr int nCells = BlockGrid<Dim>::nNodes;
-    PointCloud<Dim>& cloud = state.cloud;
-    const std::size_t n = cloud.size();
+    typedef typename BlockGrid<Dim>::Coordinates Coordinates;
 
-    Occupied<Dim> occupied(state, cycle);
-    const std::vector<std::int32_t> rank = occupied.arrange();
-    const std::size_t nBlocks = occupied.blocks.size();
+    moveStrays(state, cycle);
+    balance(state);
 
-    // Counting sort by block and cell; points of a cell keep their order
-    std::vector<std::int32_t> key(n);
-    std::vector<std::int32_t> start(nBlocks*nCells + 1, 0);
-    for (std::size_t i = 0; i < n; ++i)
+    // Counting sort by cell, block by block
+    BlockGrid<Dim>& grid = state.grid;
+    std::vector<std::int32_t> blocks(occupied(grid));
+    std::sort
+    (
+        blocks.begin(),
+        blocks.end(),
+        [&grid](const std::int32_t a, const std::int32_t b)
+        {
+            return std::lexicographical_compare
+            (
+                grid[a].at.rbegin(), grid[a].at.rend(),
+                grid[b].at.rbegin(), grid[b].at.rend()
+            );
+        }
+    );
+    std::vector<Coordinates> places;
+    std::vector<std::int32_t> first;
+    std::vector<std::int32_t> order(state.cloud.size());
+    std::vector<std::int32_t> cells;
+    std::int32_t n = 0;
+    for (const std::int32_t b : blocks)
     {
-        const std::int32_t block = rank[occupied.ofPoint[i]];
-        key[i] =
-            block*nCells
-          + cellOf<Dim>(state.grid, cloud.x[i], occupied.blocks[block]);
-        ++start[key[i] + 1];
+        const auto& block = grid[b];
+        std::array<std::int32_t, nCells + 1> start{};
+        cells.clear();
+        for (const std::int32_t p : block.points)
+        {
+            cells.push_back(cellOf<Dim>(grid, state.cloud.x[p], block.at));
+            ++start[cells.back() + 1];
+        }
+        std::partial_sum(start.begin(), start.end(), start.begin());
+        for (std::size_t i = 0; i < cells.size(); ++i)
+        {
+            order[n + start[cells[i]]++] = block.points[i];
+        }
+        places.push_back(block.at);
+        first.push_back(n);
+        n += std::int32_t(cells.size());
     }
-    std::partial_sum(start.begin(), start.end(), start.begin());
+    first.push_back(n);
+    state.cloud.reorder(order);
 
-    std::vector<std::int32_t> first(nBlocks + 1);
-    for (std::size_t b = 0; b <= nBlocks; ++b)
+    grid.rebuild(places);
+    for (std::size_t i = 0; i < places.size(); ++i)
     {
-        first[b] = start[b*nCells];
+        auto& points = grid[grid.find(places[i])].points;
+        points.resize(first[i + 1] - first[i]);
+        std::iota(points.begin(), points.end(), first[i]);
     }
-
-    std::vector<std::int32_t> order(n);
-    for (std::size_t i = 0; i < n; ++i)
-    {
-        order[start[key[i]]++] = std::int32_t(i);
-    }
-    cloud.reorder(order);
-
-    state.grid.rebuild(occupied.blocks);
-    for (std::size_t b = 0; b < nBlocks; ++b)
-    {
-        auto& points =
-            state.grid[state.grid.find(occupied.blocks[b])].points;
-        points.resize(first[b + 1] - first[b]);
-        std::iota(points.begin(), points.end(), first[b]);
-    }
-    state.reports.resize(state.grid.size());
+    state.connect();
 }
 
 
 // * * * * * * * * * * * * * Explicit Instantiations * * * * * * * * * * * * //
 
-template void mpm::sortPoints(State<2>&, const Cycle<2>&);
-template void mpm::sortPoints(State<3>&, const Cycle<3>&);
+#define instantiate(Dim)                                                       \
+    template void mpm::placePoints(State<Dim>&, const Cycle<Dim>&);            \
+    template void mpm::sortPoints(State<Dim>&, const Cycle<Dim>&);             \
+    template std::vector<std::int32_t> mpm::alongCurve(const BlockGrid<Dim>&);
+
+instantiate(2)
+instantiate(3)
+
+#undef instantiate
 
 
 // ************************************************************************* //

@@ -24,7 +24,7 @@ License
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <numeric>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -69,6 +69,78 @@ std::array<mpm::Vector<3>, 2> horizontal(const mpm::Vector<3>& up)
     return {{a, b}};
 }
 
+
+template<int Dim>
+struct ColumnPoint
+{
+    std::array<std::int64_t, Dim - 1> column;
+    double height;
+    double mass;
+    std::int64_t id;
+};
+
+
+//- Weight above each point of whole columns, and half of that of its level,
+//  over the area
+template<int Dim>
+std::vector<double> columnStress
+(
+    const std::vector<ColumnPoint<Dim>>& points,
+    const double gravity,
+    const double cellSize
+)
+{
+    // Column by column from the top; ids decide between equal heights, so that
+    // the order of the points does not matter
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort
+    (
+        order.begin(),
+        order.end(),
+        [&points](const std::size_t i, const std::size_t j)
+        {
+            const auto& a = points[i];
+            const auto& b = points[j];
+            return
+                a.column != b.column ? a.column < b.column
+              : a.height != b.height ? a.height > b.height
+              : a.id < b.id;
+        }
+    );
+
+    // Points of one level differ by round-off only
+    const double level = 1e-6*cellSize;
+    const double area = std::pow(cellSize, Dim - 1);
+    std::vector<double> stress(points.size());
+    double above = 0;
+    for (std::size_t i = 0; i < order.size();)
+    {
+        const auto& top = points[order[i]];
+        if (i > 0 && top.column != points[order[i - 1]].column)
+        {
+            above = 0;
+        }
+        double mass = 0;
+        std::size_t end = i;
+        while
+        (
+            end < order.size()
+         && points[order[end]].column == top.column
+         && top.height - points[order[end]].height <= level
+        )
+        {
+            mass += points[order[end++]].mass;
+        }
+        for (; i < end; ++i)
+        {
+            stress[order[i]] = gravity*(above + 0.5*mass)/area;
+        }
+        above += mass;
+    }
+    return stress;
+}
+
 } // End anonymous namespace
 
 
@@ -77,6 +149,7 @@ std::array<mpm::Vector<3>, 2> horizontal(const mpm::Vector<3>& up)
 template<int Dim>
 std::vector<double> mpm::overburden
 (
+    Communicator& communicator,
     const PointCloud<Dim>& cloud,
     const Vector<Dim>& up,
     const double gravity,
@@ -96,51 +169,59 @@ std::vector<double> mpm::overburden
         return s;
     };
 
-    typedef std::pair<double, std::size_t> HeightAndPoint;
-    std::map<std::array<long, Dim - 1>, std::vector<HeightAndPoint>> columns;
+    // All points of a column on one rank
+    typedef ColumnPoint<Dim> Entry;
+    const std::size_t nRanks = communicator.size();
+    std::vector<Buffer> sent(nRanks);
+    std::vector<std::size_t> rankOf(cloud.size());
     for (std::size_t i = 0; i < cloud.size(); ++i)
     {
-        std::array<long, Dim - 1> column;
+        Entry entry{};
+        std::uint64_t hash = 0;
         for (int a = 0; a < Dim - 1; ++a)
         {
-            column[a] = long(std::floor(along(i, axes[a])/cellSize));
+            entry.column[a] =
+                std::int64_t(std::floor(along(i, axes[a])/cellSize));
+            hash += std::uint64_t(entry.column[a]);
         }
-        columns[column].emplace_back(along(i, up), i);
+        entry.height = along(i, up);
+        entry.mass = cloud.mass[i]/(axisymmetric ? cloud.x[i][0] : 1);
+        entry.id = cloud.id[i];
+        rankOf[i] = hash%nRanks;
+        append(sent[rankOf[i]], &entry, 1);
     }
 
-    // Points of one level differ by round-off only
-    const double level = 1e-6*cellSize;
-    const double area = std::pow(cellSize, Dim - 1);
-    std::vector<double> stress(cloud.size());
-    for (auto& column : columns)
+    std::vector<Entry> points;
+    std::vector<std::size_t> end;
+    for (const Buffer& buffer : communicator.allToAll(sent))
     {
-        std::vector<HeightAndPoint>& points = column.second;
-        std::sort(points.rbegin(), points.rend());
-
-        double above = 0;
-        for (std::size_t i = 0; i < points.size();)
-        {
-            double mass = 0;
-            std::size_t end = i;
-            while
-            (
-                end < points.size()
-             && points[i].first - points[end].first <= level
-            )
-            {
-                const std::size_t p = points[end++].second;
-                mass += cloud.mass[p]/(axisymmetric ? cloud.x[p][0] : 1);
-            }
-            for (; i < end; ++i)
-            {
-                stress[points[i].second] =
-                    gravity*(above + 0.5*mass)/area;
-            }
-            above += mass;
-        }
+        const std::size_t n = points.size();
+        std::size_t at = 0;
+        points.resize(n + buffer.size()/sizeof(Entry));
+        take(buffer, at, points.data() + n, points.size() - n);
+        end.push_back(points.size());
     }
+    const std::vector<double> stress
+    (
+        columnStress(points, gravity, cellSize)
+    );
 
-    return stress;
+    // And back
+    std::size_t first = 0;
+    for (std::size_t r = 0; r < nRanks; ++r)
+    {
+        sent[r].clear();
+        append(sent[r], stress.data() + first, end[r] - first);
+        first = end[r];
+    }
+    const std::vector<Buffer> received(communicator.allToAll(sent));
+    std::vector<std::size_t> at(nRanks, 0);
+    std::vector<double> result(cloud.size());
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+    {
+        take(received[rankOf[i]], at[rankOf[i]], &result[i], 1);
+    }
+    return result;
 }
 
 
@@ -148,6 +229,7 @@ std::vector<double> mpm::overburden
 
 template std::vector<double> mpm::overburden<2>
 (
+    Communicator&,
     const PointCloud<2>&,
     const Vector<2>&,
     double,
@@ -158,6 +240,7 @@ template std::vector<double> mpm::overburden<2>
 
 template std::vector<double> mpm::overburden<3>
 (
+    Communicator&,
     const PointCloud<3>&,
     const Vector<3>&,
     double,

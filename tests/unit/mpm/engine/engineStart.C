@@ -74,11 +74,13 @@ TEST_CASE("overburden is the weight above, in a section and in a block")
     {
         constexpr int Dim = decltype(dimension)::value;
         mpm::PointCloud<Dim> cloud;
-        cloud.assign(box(Dim, 0.25, {{4, 4, 4}}));
+        const mpm::PointData data(box(Dim, 0.25, {{4, 4, 4}}));
+        cloud.assign(data, 0, data.size());
+        mpm::SerialCommunicator one;
         mpm::Vector<Dim> up{};
         up[Dim - 1] = 1;
         const std::vector<double> stress =
-            mpm::overburden<Dim>(cloud, up, g, 0.25, {});
+            mpm::overburden<Dim>(one, cloud, up, g, 0.25, {});
         for (std::size_t i = 0; i < cloud.size(); ++i)
         {
             // Round-off of sums of 16 masses

@@ -176,13 +176,13 @@ TEST_CASE_TEMPLATE
         (
             names, {}, {{0.03, -0.07}}, noWalls, {elastic()}
         );
-        state.cloud.assign(data);
+        state.cloud.assign(data, 0, data.size());
         state.laws.find(0, 0);
         const std::unique_ptr<mpm::Cycle<Dim>> cycle =
             generic
           ? mpm::Cycle<Dim>::NewGeneric(names)
           : mpm::Cycle<Dim>::New(names);
-        mpm::sortPoints(state, *cycle);
+        mpm::placePoints(state, *cycle);
 
         mpm::PointCloud<Dim>& points = state.cloud;
         const auto velocity = [&](const auto& x, const int r)

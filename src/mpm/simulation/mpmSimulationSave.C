@@ -1,0 +1,468 @@
+/*---------------------------------------------------------------------------*\
+    slideFoam | from rain to runout
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by the
+    Free Software Foundation, either version 3 of the License, or (at your
+    option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE. See the GNU General Public License for
+    more details.
+
+    You should have received a copy of the GNU General Public License along
+    with slideFoam. If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "mpmBalance.H"
+#include "mpmBinary.H"
+#include "mpmSimulation.H"
+#include "mpmSort.H"
+
+#include <numeric>
+#include <set>
+#include <sstream>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<int Dim>
+void mpm::Simulation<Dim>::commonLaws
+(
+    std::vector<std::pair<int, double>>& laws,
+    std::vector<std::int32_t>& number
+) const
+{
+    typedef std::pair<int, double> ZoneAndAngle;
+    const auto lawOf = [this](const std::int32_t i)
+    {
+        return ZoneAndAngle(state_.laws[i].zone, state_.laws[i].frictionAngle);
+    };
+
+    std::set<ZoneAndAngle> own;
+    for (const std::int32_t i : state_.cloud.law)
+    {
+        own.insert(lawOf(i));
+    }
+
+    Communicator& communicator = *state_.communicator;
+    Buffer mine;
+    for (const ZoneAndAngle& law : own)
+    {
+        append(mine, &law.first, 1);
+        append(mine, &law.second, 1);
+    }
+    std::vector<Buffer> sent(communicator.size(), mine);
+    std::set<ZoneAndAngle> all;
+    for (const Buffer& buffer : communicator.allToAll(sent))
+    {
+        for (std::size_t at = 0; at < buffer.size();)
+        {
+            ZoneAndAngle law;
+            take(buffer, at, &law.first, 1);
+            take(buffer, at, &law.second, 1);
+            all.insert(law);
+        }
+    }
+
+    laws.assign(all.begin(), all.end());
+    number.resize(state_.laws.size());
+    for (std::size_t i = 0; i < number.size(); ++i)
+    {
+        number[i] = std::int32_t
+        (
+            std::lower_bound(laws.begin(), laws.end(), lawOf(i)) - laws.begin()
+        );
+    }
+}
+
+
+template<int Dim>
+void mpm::Simulation<Dim>::writeBlocks
+(
+    std::ostream& os,
+    const std::vector<std::int32_t>& blocks
+) const
+{
+    Buffer mine;
+    for (const std::int32_t b : blocks)
+    {
+        const auto& block = state_.grid[b];
+        const std::uint64_t n = block.points.size();
+        append(mine, &block.at, 1);
+        append(mine, &n, 1);
+    }
+
+    // The ranks' pieces of the curve follow one another
+    const std::vector<Buffer> all(state_.communicator->gather(mine));
+    if (master())
+    {
+        std::vector<char> bytes;
+        for (const Buffer& buffer : all)
+        {
+            bytes.insert(bytes.end(), buffer.begin(), buffer.end());
+        }
+        writeBinary(os, bytes);
+    }
+}
+
+
+template<int Dim>
+void mpm::Simulation<Dim>::readLaws(std::istream& is)
+{
+    std::vector<std::int32_t> zones;
+    std::vector<double> angles;
+    state_.communicator->agree
+    (
+        [&]()
+        {
+            if (!master())
+            {
+                return;
+            }
+            readBinary(is, zones);
+            readBinary(is, angles);
+            const std::size_t n = state_.laws.materials().size();
+            for (const std::int32_t zone : zones)
+            {
+                if (zone < 0 || std::size_t(zone) >= n)
+                {
+                    throw std::runtime_error
+                    (
+                        "The saved run has a zone " + std::to_string(zone)
+                      + " where " + std::to_string(n)
+                      + " materials are given"
+                    );
+                }
+            }
+        }
+    );
+
+    Buffer buffer;
+    append(buffer, zones.data(), zones.size());
+    append(buffer, angles.data(), angles.size());
+    state_.communicator->broadcast(buffer);
+    const std::size_t n =
+        buffer.size()/(sizeof(std::int32_t) + sizeof(double));
+    zones.resize(n);
+    angles.resize(n);
+    std::size_t at = 0;
+    take(buffer, at, zones.data(), n);
+    take(buffer, at, angles.data(), n);
+
+    LawTable laws(state_.laws.materials(), state_.settings.cellSize);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        laws.find(zones[i], angles[i]);
+    }
+    state_.laws = laws;
+}
+
+
+template<int Dim>
+std::vector<std::size_t> mpm::Simulation<Dim>::readBlocks(std::istream& is)
+{
+    typedef typename BlockGrid<Dim>::Coordinates Coordinates;
+
+    Communicator& communicator = *state_.communicator;
+    std::vector<char> bytes;
+    communicator.agree
+    (
+        [&]()
+        {
+            if (master())
+            {
+                readBinary(is, bytes);
+            }
+        }
+    );
+
+    std::vector<Coordinates> places;
+    std::vector<std::uint64_t> sizes;
+    std::vector<Partition::Weight> weights;
+    for (std::size_t at = 0; at < bytes.size();)
+    {
+        Coordinates place;
+        std::uint64_t n = 0;
+        take(bytes, at, &place, 1);
+        take(bytes, at, &n, 1);
+        places.push_back(place);
+        sizes.push_back(n);
+        weights.push_back({hilbertKey<Dim>(place), workOf(n)});
+    }
+    state_.partition.cut(communicator, weights);
+
+    std::vector<Buffer> sent(communicator.size());
+    std::vector<std::size_t> shares(communicator.size(), 0);
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+        const int owner = state_.partition.owner(places[i]);
+        append(sent[owner], &places[i], 1);
+        append(sent[owner], &sizes[i], 1);
+        shares[owner] += sizes[i];
+    }
+    const Buffer mine(communicator.allToAll(sent)[0]);
+
+    state_.grid.rebuild({});
+    std::int32_t next = 0;
+    for (std::size_t at = 0; at < mine.size();)
+    {
+        Coordinates place;
+        std::uint64_t n = 0;
+        take(mine, at, &place, 1);
+        take(mine, at, &n, 1);
+        auto& points = state_.grid[state_.grid.find(place)].points;
+        points.resize(n);
+        std::iota(points.begin(), points.end(), next);
+        next += std::int32_t(n);
+    }
+    return shares;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+template<int Dim>
+void mpm::Simulation<Dim>::save(std::ostream& os) const
+{
+    Communicator& communicator = *state_.communicator;
+
+    std::vector<double> nothing;
+    std::vector<std::int64_t> clamped
+    {
+        std::int64_t(clock_.clampedByWalls),
+        std::int64_t(clock_.clampedByGrid)
+    };
+    communicator.reduce(nothing, clamped);
+    Clock clock(clock_);
+    clock.clampedByWalls = clamped[0];
+    clock.clampedByGrid = clamped[1];
+
+    std::vector<std::pair<int, double>> laws;
+    std::vector<std::int32_t> number;
+    commonLaws(laws, number);
+
+    if (master())
+    {
+        os.write(magic_, sizeof(magic_));
+        writeBinary(os, std::int32_t(Dim));
+        writeBinary(os, state_.settings.cellSize);
+        writeBinary(os, std::uint64_t(nPoints_));
+        writeBinary(os, clock);
+
+        std::vector<std::int32_t> zones;
+        std::vector<double> angles;
+        for (const auto& law : laws)
+        {
+            zones.push_back(law.first);
+            angles.push_back(law.second);
+        }
+        writeBinary(os, zones);
+        writeBinary(os, angles);
+    }
+
+    const std::vector<std::int32_t> blocks(alongCurve(state_.grid));
+    writeBlocks(os, blocks);
+
+    PointCloud<Dim> cloud(state_.cloud);
+    for (std::int32_t& law : cloud.law)
+    {
+        law = number[law];
+    }
+    cloud.forAll
+    (
+        [&](const auto& a)
+        {
+            Buffer mine;
+            for (const std::int32_t b : blocks)
+            {
+                for (const std::int32_t p : state_.grid[b].points)
+                {
+                    append(mine, a.data() + p, a.empty() ? 0 : 1);
+                }
+            }
+            const std::vector<Buffer> all(communicator.gather(mine));
+            std::uint64_t size = 0;
+            for (const Buffer& buffer : all)
+            {
+                size += buffer.size();
+            }
+            if (master())
+            {
+                writeBinary(os, size);
+            }
+            for (const Buffer& buffer : all)
+            {
+                os.write(buffer.data(), std::streamsize(buffer.size()));
+            }
+        }
+    );
+
+    communicator.agree
+    (
+        [&]()
+        {
+            if (master() && !os)
+            {
+                throw std::runtime_error("The run could not be written");
+            }
+        }
+    );
+}
+
+
+template<int Dim>
+void mpm::Simulation<Dim>::restore(std::istream& is)
+{
+    Communicator& communicator = *state_.communicator;
+    Clock clock{};
+    communicator.agree
+    (
+        [&]()
+        {
+            if (!master())
+            {
+                return;
+            }
+            char magic[sizeof(magic_)];
+            is.read(magic, sizeof(magic));
+            if (!is || std::string(magic, sizeof(magic) - 1) != magic_)
+            {
+                throw std::runtime_error("This is not a saved run");
+            }
+
+            std::int32_t dim = 0;
+            double cellSize = 0;
+            std::uint64_t n = 0;
+            readBinary(is, dim);
+            readBinary(is, cellSize);
+            readBinary(is, n);
+            if
+            (
+                dim != Dim
+             || cellSize != state_.settings.cellSize
+             || n != nPoints_
+            )
+            {
+                std::ostringstream message;
+                message
+                    << "The saved run has dimension " << dim << ", cells of "
+                    << cellSize << " m and " << n << " points, this one "
+                    << Dim << ", " << state_.settings.cellSize << " m and "
+                    << nPoints_;
+                throw std::runtime_error(message.str());
+            }
+            readBinary(is, clock);
+        }
+    );
+
+    // Counts of all ranks go on at the master
+    Buffer bytes;
+    append(bytes, &clock, 1);
+    communicator.broadcast(bytes);
+    std::size_t at = 0;
+    take(bytes, at, &clock, 1);
+    if (!master())
+    {
+        clock.clampedByWalls = clock.clampedByGrid = 0;
+    }
+
+    readLaws(is);
+    const std::vector<std::size_t> shares(readBlocks(is));
+
+    state_.cloud.forAll
+    (
+        [&](auto& a)
+        {
+            typedef typename std::remove_reference<decltype(a)>::type Array;
+            std::vector<Buffer> sent(communicator.size());
+            communicator.agree
+            (
+                [&]()
+                {
+                    if (!master())
+                    {
+                        return;
+                    }
+                    constexpr std::size_t one =
+                        sizeof(typename Array::value_type);
+                    std::uint64_t size = 0;
+                    readBinary(is, size);
+                    if (size != 0 && size != nPoints_*one)
+                    {
+                        throw std::runtime_error
+                        (
+                            "The saved run has an array of "
+                          + std::to_string(size) + " bytes for "
+                          + std::to_string(nPoints_) + " points"
+                        );
+                    }
+                    for (std::size_t r = 0; size > 0 && r < sent.size(); ++r)
+                    {
+                        sent[r].resize(shares[r]*one);
+                        readBytes(is, sent[r].data(), sent[r].size());
+                    }
+                }
+            );
+            const Buffer mine(communicator.allToAll(sent)[0]);
+            a.resize(mine.size()/sizeof(typename Array::value_type));
+            std::size_t at = 0;
+            take(mine, at, a.data(), a.size());
+        }
+    );
+    communicator.agree
+    (
+        [&]()
+        {
+            const auto& deformation = state_.cloud.leftCauchyGreen;
+            const std::size_t n = state_.cloud.size();
+            if (deformation.size() != (state_.laws.needsDeformation() ? n : 0))
+            {
+                throw std::runtime_error
+                (
+                    "The saved run was made with other constitutive models"
+                );
+            }
+        }
+    );
+    state_.connect();
+
+    // Masses are those of the saved points
+    findSpeeds();
+    clock_ = clock;
+}
+
+
+// * * * * * * * * * * * * * Explicit Instantiations * * * * * * * * * * * * //
+
+#define instantiate(Dim)                                                       \
+    template void mpm::Simulation<Dim>::commonLaws                             \
+    (                                                                          \
+        std::vector<std::pair<int, double>>&,                                  \
+        std::vector<std::int32_t>&                                             \
+    ) const;                                                                   \
+    template void mpm::Simulation<Dim>::writeBlocks                            \
+    (                                                                          \
+        std::ostream&,                                                         \
+        const std::vector<std::int32_t>&                                       \
+    ) const;                                                                   \
+    template void mpm::Simulation<Dim>::readLaws(std::istream&);               \
+    template std::vector<std::size_t> mpm::Simulation<Dim>::readBlocks         \
+    (                                                                          \
+        std::istream&                                                          \
+    );                                                                         \
+    template void mpm::Simulation<Dim>::save(std::ostream&) const;             \
+    template void mpm::Simulation<Dim>::restore(std::istream&);
+
+instantiate(2)
+instantiate(3)
+
+#undef instantiate
+
+
+// ************************************************************************* //
