@@ -56,7 +56,13 @@ void mpm::balance(State<Dim>& state)
         return;
     }
 
+    // Whole blocks may not share out better
+    const Partition before(state.partition);
     state.partition.cut(communicator, weights);
+    if (state.partition == before)
+    {
+        return;
+    }
     ++state.rebalances;
 
     Migration<Dim> migration(state);

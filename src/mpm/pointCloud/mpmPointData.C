@@ -30,9 +30,23 @@ License
 namespace
 {
 
-std::string pointKey(const std::size_t i, const char* quantity)
+//- mpm::require of a quantity of a point; the message is made when needed
+void requireOf
+(
+    const bool inside,
+    const std::size_t i,
+    const char* quantity,
+    const double value,
+    const char* range
+)
 {
-    return "point " + std::to_string(i) + ": " + quantity;
+    if (!inside)
+    {
+        mpm::outOfRange
+        (
+            "point " + std::to_string(i) + ": " + quantity, value, range
+        );
+    }
 }
 
 } // End anonymous namespace
@@ -69,30 +83,30 @@ void mpm::PointData::validate
 
     const auto finite = [](const double v, const std::size_t i, const char* q)
     {
-        require(std::isfinite(v), pointKey(i, q), v, "finite");
+        requireOf(std::isfinite(v), i, q, v, "finite");
     };
 
+    const std::string zones("0 .. " + std::to_string(nMaterials - 1));
     for (std::size_t i = 0; i < n; ++i)
     {
         for (int d = 0; d < dimension; ++d)
         {
             finite(position[i][d], i, "position");
         }
-        require
+        requireOf
         (
             volume[i] > 0 && std::isfinite(volume[i]),
-            pointKey(i, "volume"), volume[i], "> 0 [m3]"
+            i, "volume", volume[i], "> 0 [m3]"
         );
-        require
+        requireOf
         (
             rho[i] > 0 && std::isfinite(rho[i]),
-            pointKey(i, "rho"), rho[i], "> 0 [kg/m3]"
+            i, "rho", rho[i], "> 0 [kg/m3]"
         );
-        require
+        requireOf
         (
             zone[i] >= 0 && std::size_t(zone[i]) < nMaterials,
-            pointKey(i, "zone"), zone[i],
-            "0 .. " + std::to_string(nMaterials - 1)
+            i, "zone", zone[i], zones.c_str()
         );
     }
     for (std::size_t i = 0; i < cohesionIntercept.size(); ++i)
@@ -101,10 +115,10 @@ void mpm::PointData::validate
     }
     for (std::size_t i = 0; i < frictionAngle.size(); ++i)
     {
-        require
+        requireOf
         (
             frictionAngle[i] >= 0 && frictionAngle[i] < 90,
-            pointKey(i, "frictionAngle"), frictionAngle[i],
+            i, "frictionAngle", frictionAngle[i],
             "0 <= frictionAngle < 90 [deg]"
         );
     }
