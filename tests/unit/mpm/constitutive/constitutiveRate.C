@@ -84,7 +84,7 @@ public:
             data.porePressure.push_back(porePressure);
             data.sigma.push_back({{stress, stress, stress, 0, 0, 0}});
         }
-        cloud_.assign(data);
+        cloud_.assign(data, 0, data.size());
         for (std::int32_t& law : cloud_.law)
         {
             law = laws_.find(0, frictionAngle);
