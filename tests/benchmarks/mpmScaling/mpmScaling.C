@@ -40,6 +40,8 @@ Usage
 #include "pstreamCommunicator.H"
 
 #include <chrono>
+#include <cmath>
+#include <cstdlib>
 #include <ctime>
 #include <iostream>
 
