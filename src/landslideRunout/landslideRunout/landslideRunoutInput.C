@@ -186,9 +186,9 @@ mpm::Settings Foam::landslideRunout::settings(const slidePoints& points) const
         dict,
         {
             "symmetry", "shapeFunction", "transferScheme", "stressUpdate",
-            "flipTime", "flipBlend", "xpicOrder", "cfl", "maxDeltaT",
-            "sortInterval", "threads", "maxImbalance", "massCutOff",
-            "movedDistance", "restVelocity", "frontDirection"
+            "antiLocking", "flipTime", "flipBlend", "xpicOrder", "cfl",
+            "maxDeltaT", "sortInterval", "threads", "maxImbalance",
+            "massCutOff", "movedDistance", "restVelocity", "frontDirection"
         }
     );
 
@@ -204,7 +204,8 @@ mpm::Settings Foam::landslideRunout::settings(const slidePoints& points) const
             std::make_pair("symmetry", &s.symmetry),
             std::make_pair("shapeFunction", &s.shapeFunction),
             std::make_pair("transferScheme", &s.transferScheme),
-            std::make_pair("stressUpdate", &s.stressUpdate)
+            std::make_pair("stressUpdate", &s.stressUpdate),
+            std::make_pair("antiLocking", &s.antiLocking)
         }
     )
     {

@@ -39,7 +39,7 @@ std::unique_ptr<mpm::Cycle<Dim>> mpm::Cycle<Dim>::New
      && !settings.axisymmetric()
     )
     {
-        return std::make_unique<FusedCycle<Dim>>();
+        return std::make_unique<FusedCycle<Dim>>(settings);
     }
     return NewGeneric(settings);
 }

@@ -77,7 +77,26 @@ void mpm::FusedCycle<Dim>::step(State<Dim>& state, const double deltaT)
         }
     );
 
-    const StressUpdate<Dim> stress(state.laws, deltaT, state.elastic);
+    if (average_)
+    {
+        std::vector<double>& rates = average_->rates(state);
+        state.forBlocks
+        (
+            [&state, &rates](const std::size_t b)
+            {
+                findVolumetricRates(state, b, rates);
+            }
+        );
+        average_->average(state, deltaT);
+    }
+    const StressUpdate<Dim> stress
+    (
+        state.laws,
+        deltaT,
+        state.elastic,
+        false,
+        average_ ? average_->changes() : nullptr
+    );
     state.forBlocks
     (
         [&state, &stress, deltaT](const std::size_t b)

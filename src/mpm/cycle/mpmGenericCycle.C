@@ -118,6 +118,10 @@ void mpm::GenericCycle<Dim, Shape>::balance
             }
         }
     );
+    if (stressFirst)
+    {
+        average(state, deltaT);
+    }
     state.forBlocks
     (
         [&](Index b)
@@ -186,7 +190,8 @@ void mpm::GenericCycle<Dim, Shape>::filter(State<Dim>& state)
 template<int Dim, class Shape>
 mpm::GenericCycle<Dim, Shape>::GenericCycle(const Settings& settings)
 :
-    scheme_(settings)
+    scheme_(settings),
+    average_(VolumeAverage<Dim, reach>::New(settings))
 {}
 
 
@@ -205,9 +210,17 @@ void mpm::GenericCycle<Dim, Shape>::step
     {
         report.reset();
     }
+    if (average_)
+    {
+        average_->rates(state);
+    }
     const StressUpdate<Dim> stress
     (
-        state.laws, deltaT, state.elastic, state.axisymmetric
+        state.laws,
+        deltaT,
+        state.elastic,
+        state.axisymmetric,
+        average_ ? average_->changes() : nullptr
     );
     balance(state, stress, deltaT);
 
@@ -222,11 +235,18 @@ void mpm::GenericCycle<Dim, Shape>::step
     }
 
     const bool stressLast = scheme_.update() == Scheme::Update::USL;
+    if (stressLast)
+    {
+        average(state, deltaT);
+    }
     state.forBlocks
     (
         [&](Index b)
         {
-            gather(state, b, stressLast ? &stress : nullptr, !mapsTwice, deltaT);
+            gather
+            (
+                state, b, stressLast ? &stress : nullptr, !mapsTwice, deltaT
+            );
         }
     );
 
@@ -242,6 +262,7 @@ void mpm::GenericCycle<Dim, Shape>::step
                 applyWalls(state, b);
             }
         );
+        average(state, deltaT);
         state.forBlocks
         (
             [&](Index b) { updateAndMove(state, b, stress, deltaT); }

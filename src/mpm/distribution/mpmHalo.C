@@ -247,7 +247,12 @@ void mpm::Halo<Dim>::connect
 
 
 template<int Dim>
-void mpm::Halo<Dim>::complete(Communicator& communicator, Grid& grid)
+void mpm::Halo<Dim>::complete
+(
+    Communicator& communicator,
+    const Grid& grid,
+    typename Grid::NodeField& patches
+)
 {
     if (communicator.size() == 1)
     {
@@ -259,10 +264,8 @@ void mpm::Halo<Dim>::complete(Communicator& communicator, Grid& grid)
     {
         if (grid[b].points.empty())
         {
-            std::fill_n
-            (
-                grid.patchOf(b), Grid::nPatchNodes(grid.reach()), Node{}
-            );
+            const int n = Grid::nPatchNodes(grid.reach());
+            std::fill_n(patches.data() + std::size_t(b)*n, n, Node{});
         }
     }
 
@@ -271,7 +274,7 @@ void mpm::Halo<Dim>::complete(Communicator& communicator, Grid& grid)
         char* to = sent_[i].data();
         for (const std::int32_t node : sentNodes_[i])
         {
-            std::memcpy(to, &grid.patches[node], sizeof(Node));
+            std::memcpy(to, &patches[node], sizeof(Node));
             to += sizeof(Node);
         }
     }
@@ -283,7 +286,7 @@ void mpm::Halo<Dim>::complete(Communicator& communicator, Grid& grid)
         const char* from = received_[i].data();
         for (const std::int32_t node : receivedNodes_[i])
         {
-            std::memcpy(&grid.patches[node], from, sizeof(Node));
+            std::memcpy(&patches[node], from, sizeof(Node));
             from += sizeof(Node);
         }
     }

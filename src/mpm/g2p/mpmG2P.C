@@ -317,7 +317,63 @@ void mpm::gatherAPIC
 }
 
 
+template<int Dim>
+void mpm::findVolumetricRates
+(
+    State<Dim>& state,
+    const std::size_t b,
+    std::vector<double>& rates
+)
+{
+    const auto& block = state.grid[b];
+    const std::size_t n = block.points.size();
+    if (n == 0)
+    {
+        return;
+    }
+
+    typedef ShapeBatch<Dim, QuadraticBSpline> Batch;
+    alignas(64) Node patch[BlockGrid<Dim>::nPatchNodes(Batch::reach)];
+    state.grid.template collect<Batch::reach>(state.grid.nodes, block, patch);
+
+    const double perMoment = 4/state.grid.cellSize();
+    Batch batch;
+    for (std::size_t i = 0; i < n; i += Batch::size)
+    {
+        batch.take
+        (
+            state.cloud.x, state.grid, block, block.points.data() + i, n - i
+        );
+        for (int l = 0; l < batch.count; ++l)
+        {
+            Node sums[Dim + 1];
+            received(batch, l, patch + batch.node[l], sums);
+            double trace = 0;
+            for (int c = 0; c < Dim; ++c)
+            {
+                trace += sums[c + 1][c];
+            }
+            rates[batch.point[l]] = perMoment*trace;
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * Explicit Instantiations * * * * * * * * * * * * //
+
+template void mpm::findVolumetricRates
+(
+    State<2>&,
+    std::size_t,
+    std::vector<double>&
+);
+
+template void mpm::findVolumetricRates
+(
+    State<3>&,
+    std::size_t,
+    std::vector<double>&
+);
 
 template void mpm::gatherAPIC
 (

@@ -58,6 +58,7 @@ void mpm::PointCloud<Dim>::assign
         id[i] = std::int32_t(j);
     }
     leftCauchyGreen.clear();
+    dilation.clear();
     halfSize.clear();
     heldCohesion.clear();
     heldLaw.clear();

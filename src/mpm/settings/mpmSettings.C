@@ -62,6 +62,13 @@ const std::vector<std::string>& mpm::Settings::stressUpdates()
 }
 
 
+const std::vector<std::string>& mpm::Settings::antiLockings()
+{
+    static const std::vector<std::string> names{"none", "node", "cell"};
+    return names;
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 int mpm::Settings::reach() const
@@ -121,6 +128,7 @@ void mpm::Settings::validate(const int dimension) const
     choose("shapeFunction", shapeFunction, shapeFunctions());
     choose("transferScheme", transferScheme, transferSchemes());
     choose("stressUpdate", stressUpdate, stressUpdates());
+    choose("antiLocking", antiLocking, antiLockings());
 
     if
     (

@@ -340,6 +340,10 @@ mpm::Simulation<Dim>::Simulation
     {
         state_.cloud.keepDeformation();
     }
+    if (averagesDilation())
+    {
+        state_.cloud.dilation.assign(state_.cloud.size(), 0);
+    }
 
     findSpeeds();
     placePoints(state_, *cycle_);

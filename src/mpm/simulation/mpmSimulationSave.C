@@ -419,13 +419,24 @@ void mpm::Simulation<Dim>::restore(std::istream& is)
     (
         [&]()
         {
-            const auto& deformation = state_.cloud.leftCauchyGreen;
-            const std::size_t n = state_.cloud.size();
-            if (deformation.size() != (state_.laws.needsDeformation() ? n : 0))
+            const PointCloud<Dim>& cloud = state_.cloud;
+            const auto isGiven = [&cloud](const auto& array, const bool needed)
+            {
+                return array.size() == (needed ? cloud.size() : 0);
+            };
+            if
+            (
+                !isGiven
+                (
+                    cloud.leftCauchyGreen, state_.laws.needsDeformation()
+                )
+             || !isGiven(cloud.dilation, averagesDilation())
+            )
             {
                 throw std::runtime_error
                 (
-                    "The saved run was made with other constitutive models"
+                    "The saved run was made with other constitutive models or "
+                    "another antiLocking"
                 );
             }
         }

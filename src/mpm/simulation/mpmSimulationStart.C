@@ -335,6 +335,7 @@ mpm::StartReport mpm::Simulation<Dim>::comeToRest
     );
     std::fill(cloud.plasticStrain.begin(), cloud.plasticStrain.end(), 0.0);
     std::fill(cloud.yielding.begin(), cloud.yielding.end(), 0);
+    std::fill(cloud.dilation.begin(), cloud.dilation.end(), 0.0);
     cloud.release();
 
     clock_ = Clock();

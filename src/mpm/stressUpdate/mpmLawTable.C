@@ -205,6 +205,17 @@ bool mpm::LawTable::common() const
 }
 
 
+bool mpm::LawTable::dilates() const
+{
+    return std::any_of
+    (
+        materials_.begin(),
+        materials_.end(),
+        [](const Material& m) { return m.dilationAngle > 0; }
+    );
+}
+
+
 bool mpm::LawTable::needsDeformation() const
 {
     return std::any_of

@@ -57,7 +57,8 @@ int main(int argc, char* argv[])
         {"columnCollapse", columnCollapse},
         {"validationSlope", validationSlope},
         {"griffithsLane", griffithsLane},
-        {"waterTableInside", waterTableInside}
+        {"waterTableInside", waterTableInside},
+        {"verticalCut", verticalCut}
     };
 
     const auto chosen = cases.find(argc > 1 ? argv[1] : "");

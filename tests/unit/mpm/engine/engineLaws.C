@@ -109,7 +109,8 @@ void checkRestart(const mpm::Settings& s)
     CHECK_THROWS_WITH_AS
     (
         other.restore(saved),
-        "The saved run was made with other constitutive models",
+        "The saved run was made with other constitutive models or another "
+        "antiLocking",
         std::runtime_error
     );
 }

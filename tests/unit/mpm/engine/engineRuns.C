@@ -48,7 +48,7 @@ void checkSame(const mpm::Run& a, const mpm::Run& b)
 
 
 template<int Dim>
-void checkRestart(mpm::Settings s)
+void checkRestart(mpm::Settings s, const double dilationAngle = 0)
 {
     CAPTURE(Dim);
     CAPTURE(s.transferScheme);
@@ -56,8 +56,8 @@ void checkRestart(mpm::Settings s)
     // Orderings fall before, on and after the restart
     s.sortInterval = 17;
     const int cells = Dim == 2 ? 8 : 4;
-    auto straight = column<Dim>(s, cells);
-    auto first = column<Dim>(s, cells);
+    auto straight = column<Dim>(s, cells, dilationAngle);
+    auto first = column<Dim>(s, cells, dilationAngle);
     for (int i = 0; i < 120; ++i)
     {
         straight->step(1);
@@ -69,7 +69,7 @@ void checkRestart(mpm::Settings s)
     std::stringstream saved;
     first->save(saved);
 
-    auto second = column<Dim>(s, cells);
+    auto second = column<Dim>(s, cells, dilationAngle);
     second->restore(saved);
     checkSame(*first, *second);
     for (int i = 47; i < 120; ++i)
@@ -99,6 +99,17 @@ TEST_CASE("restart repeats the unbroken run to the last bit")
     s.transferScheme = "XPIC";
     s.stressUpdate = "MUSL";
     checkRestart<2>(s);
+
+    // Soil that dilates, whose last dilation is state
+    for (const char* antiLocking : {"node", "cell"})
+    {
+        s = settings(2, 0.1);
+        s.antiLocking = antiLocking;
+        checkRestart<2>(s, 20);
+        mpm::Settings s3 = settings(3, 0.1);
+        s3.antiLocking = antiLocking;
+        checkRestart<3>(s3, 20);
+    }
 }
 
 
@@ -116,6 +127,15 @@ TEST_CASE("a run of several threads repeats that of one to the last bit")
     };
     check([](const mpm::Settings& s) { return column<2>(s, 20); }, 2);
     check([](const mpm::Settings& s) { return column<3>(s, 6); }, 3);
+    check
+    (
+        [](mpm::Settings s)
+        {
+            s.antiLocking = "node";
+            return column<2>(s, 20, 20);
+        },
+        2
+    );
 }
 
 

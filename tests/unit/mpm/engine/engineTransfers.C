@@ -263,6 +263,17 @@ TEST_CASE("the generic kernels repeat the default's")
 
     compare(column<2>(settings(2, 0.1), 6), column<2>(settings(2, 0.1), 6));
     compare(column<3>(settings(3, 0.1), 4), column<3>(settings(3, 0.1), 4));
+
+    for (const char* antiLocking : {"node", "cell"})
+    {
+        CAPTURE(antiLocking);
+        mpm::Settings s = settings(2, 0.1);
+        s.antiLocking = antiLocking;
+        compare(column<2>(s, 6, 15), column<2>(s, 6, 15));
+        s = settings(3, 0.1);
+        s.antiLocking = antiLocking;
+        compare(column<3>(s, 4, 15), column<3>(s, 4, 15));
+    }
 }
 
 

@@ -167,15 +167,25 @@ mpm::Settings named
 
 
 template<int Dim>
-void checkRanks(const mpm::Settings& s, const int cells, const int steps)
+void checkRanks
+(
+    const mpm::Settings& s,
+    const int cells,
+    const int steps,
+    const double dilationAngle = 0
+)
 {
     CAPTURE(Dim);
+    CAPTURE(s.symmetry);
     CAPTURE(s.transferScheme);
     CAPTURE(s.stressUpdate);
+    CAPTURE(s.antiLocking);
+    mpm::Material material(soil());
+    material.dilationAngle = dilationAngle;
 
     const auto fall = [&](const Ranks& ranks, Outcome& outcome)
     {
-        auto run = wideColumn<Dim>(ranks, s, cells);
+        auto run = wideColumn<Dim>(ranks, s, cells, material);
         for (int i = 0; i < steps; ++i)
         {
             run->step(1);
@@ -218,6 +228,20 @@ TEST_CASE("several ranks give the run of one, bit by bit")
     (
         named(settings(3, 0.2), "quadraticBSpline", "FLIP", "USF"), 7, 40
     );
+
+    // The average against locking sends patches of its own; what a soil dilates
+    // goes with its points
+    for (const char* antiLocking : {"node", "cell"})
+    {
+        mpm::Settings s = settings(2, 0.1);
+        s.antiLocking = antiLocking;
+        checkRanks<2>(s, 20, 100, 15);
+        s.symmetry = "axisymmetric";
+        checkRanks<2>(s, 20, 100, 15);
+        s = settings(3, 0.2);
+        s.antiLocking = antiLocking;
+        checkRanks<3>(s, 7, 40, 15);
+    }
 }
 
 

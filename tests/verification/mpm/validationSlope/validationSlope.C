@@ -34,156 +34,14 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
-#include "verification.H"
-
-#include <algorithm>
-#include <cmath>
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-const double height = 20, E = 50e6;
-
-//- Height of the ground
-double ground(const double x)
-{
-    return std::fmin(height, std::fmax(0, -x/0.8));
-}
-
-
-//- Effective saturation by van Genuchten, Zhu2022 Eq. 10
-double saturation(const double psi)
-{
-    const double alpha = 0.538, m = 0.468;
-    return
-        psi >= 0
-      ? 1
-      : std::pow(1 + std::pow(-alpha*psi, 1/(1 - m)), -m);
-}
-
-
-struct State
-{
-    //- c' [Pa], phi' [degrees], and the safety factor by Bishop's method (an
-    //  independent calculator)
-    double cohesion, phi, bishop;
-};
-
-const State stateA{10e3, 30, 1.184};
-const State stateB{0, 30, 0.952};
-const State stateC{0, 20, 0.600};
-
-
-//- Pressure p_w = chi u_w above a table at y = -5
-double porePressure(const double y)
-{
-    const double psi = -5 - y;
-    return saturation(psi)*1000*verification::gravity*psi;
-}
-
-
-double intercept(const State& state, const double y)
-{
-    return
-        state.cohesion
-      - porePressure(y)*std::tan(verification::degree*state.phi);
-}
-
-
-//- Slope in a state, at rest in the strength of state a
-std::unique_ptr<mpm::Run> slope
-(
-    const State& state,
-    const double cellSize,
-    const double dilationAngle,
-    mpm::StartReport& report
-)
-{
-    using namespace verification;
-
-    mpm::Settings settings;
-    settings.cellSize = cellSize;
-    settings.gravity = {{0, -gravity, 0}};
-
-    const double left = -46, right = 24, base = -10;
-    mpm::PointData points = seed
-    (
-        2,
-        cellSize,
-        2,
-        {{left, base, 0}},
-        {{right, height, 0}},
-        [](const mpm::Point3& x) { return x[1] < ground(x[0]); },
-        1
-    );
-
-    // No less than the state's own, where that has been raised (F < 1)
-    const State stable
-    {
-        stateA.cohesion, std::fmax(stateA.phi, state.phi), stateA.bishop
-    };
-    mpm::StartSettings start;
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-        const double y = points.position[i][1];
-        const double rhoDry = 1695, thetaS = 0.36, thetaR = 0.035;
-        points.rho[i] =
-            rhoDry + 1000*(thetaR + saturation(-5 - y)*(thetaS - thetaR));
-        points.porePressure.push_back(porePressure(y));
-        points.cohesionIntercept.push_back(intercept(state, y));
-        points.frictionAngle.push_back(state.phi);
-        start.stableCohesionIntercept.push_back(intercept(stable, y));
-        start.stableFrictionAngle.push_back(stable.phi);
-    }
-
-    mpm::Material soil;
-    soil.E = E;
-    soil.nu = 0.3;
-    soil.dilationAngle = dilationAngle;
-
-    auto run = mpm::Run::New
-    (
-        2,
-        settings,
-        points,
-        {soil},
-        {
-            plane("base", "rough", {{0, base, 0}}, {{0, 1, 0}}),
-            plane("left", "roller", {{left, 0, 0}}, {{1, 0, 0}}),
-            plane("right", "roller", {{right, 0, 0}}, {{-1, 0, 0}})
-        }
-    );
-    report = run->establishStart(start);
-    return run;
-}
-
-
-//- Largest displacement in 10 s of a state whose strength is divided by F,
-//  with associated flow: it starts anew, because the dilation angle goes
-//  with F too
-double associatedDisplacement(const State& state, const double F)
-{
-    const double cellSize = 0.5, endTime = 10;
-    const double phi =
-        std::atan(std::tan(verification::degree*state.phi)/F)
-       /verification::degree;
-
-    mpm::StartReport report;
-    auto run =
-        slope({state.cohesion/F, phi, 1}, cellSize, phi, report);
-    run->advance(endTime);
-    return run->diagnostics().maxDisplacement;
-}
-
-} // End anonymous namespace
-
+#include "slopeStates.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
 void verification::validationSlope(Checks& checks, const bool longVersion)
 {
+    using namespace slopeStates;
+
     const double cellSize = 1, endTime = 15;
     mpm::StartReport report;
 
@@ -259,8 +117,6 @@ void verification::validationSlope(Checks& checks, const bool longVersion)
 
     if (longVersion)
     {
-        const double weight = 2000*gravity;
-        const double criterion = weight*height*height/E;
         const auto factor = [&](mpm::Run& run, const std::string& start)
         {
             return safetyFactor
@@ -303,7 +159,9 @@ void verification::validationSlope(Checks& checks, const bool longVersion)
             (
                 [&](const double F)
                 {
-                    return associatedDisplacement(state, F);
+                    auto run = associatedSlope(state, 0.5, F);
+                    run->advance(10);
+                    return run->diagnostics().maxDisplacement;
                 },
                 criterion, 0.9*state.bishop, 1.2*state.bishop, 3
             );
