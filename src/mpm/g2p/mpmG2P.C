@@ -45,12 +45,13 @@ inline Node all(const double a)
 
 
 //- Sums of weight x velocity, and of weight x distance (cells) x velocity for
-//  each direction
+//  each direction over the second moment of the weights
 inline void received
 (
     const Batch2& batch,
     const int l,
     const Node* source,
+    const double perMoment,
     Node* sums
 )
 {
@@ -69,8 +70,8 @@ inline void received
         source += Batch2::patchEdge;
     }
     sums[0] = v;
-    sums[1] = vx;
-    sums[2] = vy;
+    sums[1] = all(perMoment)*vx;
+    sums[2] = all(perMoment)*vy;
 }
 
 
@@ -79,6 +80,7 @@ inline void received
     const Batch3& batch,
     const int l,
     const Node* source,
+    const double perMoment,
     Node* sums
 )
 {
@@ -108,55 +110,96 @@ inline void received
         source += edge*edge;
     }
     sums[0] = v;
-    sums[1] = vx;
-    sums[2] = vy;
-    sums[3] = vz;
+    sums[1] = all(perMoment)*vx;
+    sums[2] = all(perMoment)*vy;
+    sums[3] = all(perMoment)*vz;
 }
 
 
-//- Entry d of four nodes
+//- Components of entry c of the sums of the points of a batch
 template<int Dim>
-inline void columns
-(
-    const Node& a,
-    const Node& b,
-    const Node& c,
-    const Node& d,
-    Lanes* entries
-)
+inline void columns(const Node (*sums)[Dim + 1], const int c, Lanes* entries)
 {
-    Node n[laneCount] = {a, b, c, d};
-    transpose(n[0], n[1], n[2], n[3]);
-    for (int e = 0; e < Dim; ++e)
+    const double* rows[laneCount];
+    for (int l = 0; l < laneCount; ++l)
     {
-        entries[e] = Lanes(n[e]);
+        rows[l] = reinterpret_cast<const double*>(&sums[l][c]);
+    }
+    Lanes all[4];
+    loadColumns(rows, all);
+    for (int d = 0; d < Dim; ++d)
+    {
+        entries[d] = all[d];
     }
 }
 
 
-inline Eight both(const Lanes& a, const Lanes& b)
+//- Numbers of a point from a node
+template<int Dim>
+inline void copy(const Node& node, double* to)
 {
-    Eight e;
-    std::memcpy(&e, &a.v, sizeof(a.v));
-    std::memcpy(reinterpret_cast<char*>(&e) + sizeof(a.v), &b.v, sizeof(b.v));
-    return e;
+    std::memcpy(to, &node, Dim*sizeof(double));
 }
 
 
-typedef long long EightMask __attribute__((vector_size(64)));
-
-inline bool any(const EightMask& m)
+//- Add the components of a node
+template<int Dim>
+inline void add(const Node& node, double* to)
 {
-    LaneMask half[2];
-    std::memcpy(half, &m, sizeof(m));
-    return mpm::any(half[0] | half[1]);
+    typedef double Two __attribute__((vector_size(16)));
+
+    Two sum;
+    std::memcpy(&sum, to, sizeof(sum));
+    sum += Two{node[0], node[1]};
+    std::memcpy(to, &sum, sizeof(sum));
+    if constexpr (Dim == 3)
+    {
+        to[2] += node[2];
+    }
 }
 
 
-inline double largest(const Eight& a)
+//- Whether a point of the batch may be behind a wall of the block
+template<int Dim>
+inline bool mayTouch
+(
+    const State<Dim>& state,
+    const typename BlockGrid<Dim>::Block& block,
+    const Eight* place
+)
+{
+    const double h = state.grid.cellSize();
+    const Vector<Dim> corner = state.grid.position(block, {});
+    for (const std::int32_t w : block.walls)
+    {
+        const Wall<Dim>& wall = state.walls[w];
+        Vector<Dim> normal;
+        if (!wall.isPlane())
+        {
+            return true;
+        }
+        const double atCorner = wall.distance(corner, normal);
+        Eight distance = Eight{} + atCorner;
+        for (int d = 0; d < Dim; ++d)
+        {
+            distance += h*normal[d]*place[d];
+        }
+
+        // What rounds differently is looked at closer
+        constexpr double close = 1e-6;
+        if (any(Lanes(distance) < Lanes(close*h)))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+inline double largest(const Lanes& a)
 {
     double m = a[0];
-    for (int l = 1; l < 8; ++l)
+    for (int l = 1; l < laneCount; ++l)
     {
         m = std::max(m, a[l]);
     }
@@ -201,8 +244,8 @@ void mpm::gatherAPIC
 
     Batch batch;
     Node sums[Batch::size][Dim + 1];
-    Eight speed2{};
-    Lanes wave2(0.0);
+    Lanes speed2(0.0), wave2(0.0);
+    double kinetic = 0;
     PointCloud<Dim>& cloud = state.cloud;
     Vector<Dim>* x = cloud.x.data();
     Vector<Dim>* v = cloud.v.data();
@@ -211,94 +254,78 @@ void mpm::gatherAPIC
     const double* mass = cloud.mass.data();
     std::int32_t* list = block.points.data();
     std::size_t kept = 0;
-    double energy = 0;
 
     for (std::size_t i = 0; i < n; i += Batch::size)
     {
         batch.take(cloud.x, state.grid, block, list + i, n - i);
         for (int l = 0; l < Batch::size; ++l)
         {
-            received(batch, l, patch + batch.node[l], sums[l]);
+            received(batch, l, patch + batch.node[l], perMoment, sums[l]);
         }
 
-        Lanes velocity[2][Dim];
-        for (int half = 0; half < 2; ++half)
+        Lanes velocity[Dim], gradient[Dim*Dim];
+        columns<Dim>(sums, 0, velocity);
+        for (int c = 0; c < Dim; ++c)
         {
-            const auto& s = sums + laneCount*half;
-            columns<Dim>(s[0][0], s[1][0], s[2][0], s[3][0], velocity[half]);
+            columns<Dim>(sums, c + 1, gradient + c*Dim);
+        }
+        const Lanes speeds =
+            stressUpdate.update(cloud, batch.point, batch.count, gradient);
+        wave2 = maxOf(wave2, speeds);
 
-            const int count = batch.count - laneCount*half;
-            if (count <= 0)
+        // Neither zero or less, nor not a number
+        if (any(LaneMask{~(speeds > Lanes(0.0)).bits}))
+        {
+            for (int l = 0; l < laneCount; ++l)
             {
-                continue;
-            }
-            Lanes gradient[Dim*Dim];
-            for (int c = 0; c < Dim; ++c)
-            {
-                for (int l = 0; l < laneCount; ++l)
-                {
-                    s[l][c + 1] *= all(perMoment);
-                }
-                columns<Dim>
-                (
-                    s[0][c + 1], s[1][c + 1], s[2][c + 1], s[3][c + 1],
-                    gradient + c*Dim
-                );
-            }
-            const std::int32_t* points = batch.point + laneCount*half;
-            const Lanes speeds = stressUpdate.update
-            (
-                cloud, points, std::min(laneCount, count), gradient
-            );
-            wave2 = maxOf(wave2, speeds);
-
-            // Neither zero or less, nor not a number
-            if (any(LaneMask{~(speeds > Lanes(0.0)).bits}))
-            {
-                for (int l = 0; l < laneCount; ++l)
-                {
-                    report.broken =
-                        speeds[l] > 0 ? report.broken : points[l];
-                }
+                report.broken = speeds[l] > 0 ? report.broken : batch.point[l];
             }
         }
 
-        Eight square{};
-        EightMask leaves{};
+        Eight place[Dim];
+        Lanes square(0.0);
+        LaneMask leaves{};
         for (int d = 0; d < Dim; ++d)
         {
-            const Eight vd = both(velocity[0][d], velocity[1][d]);
-            const Eight place = batch.local[d] + cells*vd;
-            square += vd*vd;
-            leaves |= ~((place >= shift) & (place < end));
+            place[d] = batch.local[d] + cells*velocity[d].v;
+            square += velocity[d]*velocity[d];
+            leaves.bits |= ~((place[d] >= shift) & (place[d] < end));
         }
-        speed2 = square > speed2 ? square : speed2;
-        const bool allStay = !any(leaves);
+        speed2 = maxOf(speed2, square);
+        const bool near = !open && mayTouch(state, block, place);
 
         for (int l = 0; l < batch.count; ++l)
         {
             const std::int32_t p = batch.point[l];
-            const Node dx = all(deltaT)*sums[l][0];
-            for (int d = 0; d < Dim; ++d)
-            {
-                v[p][d] = sums[l][0][d];
-                x[p][d] += dx[d];
-                u[p][d] += dx[d];
-            }
+            const Node* s = sums[l];
+            const Node dx = all(deltaT)*s[0];
+            copy<Dim>(s[0], v[p].data());
+            add<Dim>(dx, x[p].data());
+            add<Dim>(dx, u[p].data());
             for (int c = 0; c < Dim; ++c)
             {
-                for (int d = 0; d < Dim; ++d)
-                {
-                    C[p][c*Dim + d] = sums[l][c + 1][d];
-                }
+                copy<Dim>(s[c + 1], C[p].data() + c*Dim);
             }
-            energy += mass[p]*square[l];
+            kinetic += mass[p]*square[l];
+        }
 
-            const bool moved = !open && project(state, block, p, report);
-            const bool stays = !moved && (allStay || !leaves[l]);
+        if (!near && !any(leaves))
+        {
+            // Lists of blocks that no point leaves stay as they are
+            if (kept != i)
+            {
+                std::copy_n(batch.point, batch.count, list + kept);
+            }
+            kept += batch.count;
+            continue;
+        }
+        for (int l = 0; l < batch.count; ++l)
+        {
+            const std::int32_t p = batch.point[l];
+            const bool moved = near && project(state, block, p, report);
             if
             (
-                stays
+                (!moved && !leaves.bits[l])
              || belongs<Dim, QuadraticBSpline>(state, block, p, report)
             )
             {
@@ -308,12 +335,9 @@ void mpm::gatherAPIC
     }
     block.points.resize(kept);
 
-    report.kineticEnergy = 0.5*energy;
+    report.kineticEnergy = 0.5*kinetic;
     report.speed2 = largest(speed2);
-    for (int l = 0; l < laneCount; ++l)
-    {
-        report.wave2 = std::max(report.wave2, wave2[l]);
-    }
+    report.wave2 = largest(wave2);
 }
 
 
@@ -347,13 +371,13 @@ void mpm::findVolumetricRates
         for (int l = 0; l < batch.count; ++l)
         {
             Node sums[Dim + 1];
-            received(batch, l, patch + batch.node[l], sums);
+            received(batch, l, patch + batch.node[l], perMoment, sums);
             double trace = 0;
             for (int c = 0; c < Dim; ++c)
             {
                 trace += sums[c + 1][c];
             }
-            rates[batch.point[l]] = perMoment*trace;
+            rates[batch.point[l]] = trace;
         }
     }
 }

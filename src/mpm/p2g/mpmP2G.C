@@ -23,6 +23,8 @@ License
 #include "mpmP2G.H"
 #include "mpmShapeBatch.H"
 
+#include <cstring>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace mpm
@@ -48,6 +50,27 @@ inline Node all(const double a)
 }
 
 
+//- Two or four numbers of an array, of any alignment
+inline Node two(const double* from)
+{
+    typedef double Two __attribute__((vector_size(16)));
+    Two t;
+    std::memcpy(&t, from, sizeof(t));
+    return Node{t[0], t[1], 0, 0};
+}
+
+
+inline Node four(const double* from)
+{
+    Node n;
+    std::memcpy(&n, from, sizeof(n));
+    return n;
+}
+
+
+typedef long long Pick __attribute__((vector_size(32)));
+
+
 inline Sent<2> sent
 (
     const PointCloud<2>& cloud,
@@ -57,18 +80,22 @@ inline Sent<2> sent
 )
 {
     const double m = cloud.mass[p];
-    const Vector<2>& v = cloud.v[p];
-    const Tensor<2>& C = cloud.C[p];
-    const Stress<2>& s = cloud.sigma[p];
     const Node hm = all(h*m);
     const Node k = all(impulse*cloud.volume[p]);
 
+    // Both columns at once: sigma is xx yy zz xy
+    const Node sigma = four(cloud.sigma[p].data());
+    const Node slopes =
+        hm*four(cloud.C[p].data())
+      - k*__builtin_shuffle(sigma, Pick{0, 3, 3, 1});
+
+    const Node none{};
     return
     {
-        Node{m*v[0], m*v[1], 0, m},
+        all(m)*(two(cloud.v[p].data()) + Node{0, 0, 0, 1}),
         {
-            hm*Node{C[0], C[1], 0, 0} - k*Node{s[0], s[3], 0, 0},
-            hm*Node{C[2], C[3], 0, 0} - k*Node{s[3], s[1], 0, 0}
+            __builtin_shuffle(slopes, none, Pick{0, 1, 4, 4}),
+            __builtin_shuffle(slopes, none, Pick{2, 3, 4, 4})
         }
     };
 }
@@ -83,19 +110,28 @@ inline Sent<3> sent
 )
 {
     const double m = cloud.mass[p];
-    const Vector<3>& v = cloud.v[p];
-    const Tensor<3>& C = cloud.C[p];
-    const Stress<3>& s = cloud.sigma[p];
-    const Node hm = all(h*m);
-    const Node k = all(impulse*cloud.volume[p]);
+    const double a = h*m;
+    const double b = impulse*cloud.volume[p];
+    const Node hm{a, a, a, 0};
+    const Node k{b, b, b, 0};
+
+    // sigma is xx yy zz xy yz zx
+    const double* C = cloud.C[p].data();
+    const double* v = cloud.v[p].data();
+    const Node first = four(cloud.sigma[p].data());
+    const Node last = four(cloud.sigma[p].data() + 2);
+    const Node end = four(C + 5);
 
     return
     {
-        Node{m*v[0], m*v[1], m*v[2], m},
+        all(m)*(two(v) + Node{0, 0, v[2], 1}),
         {
-            hm*Node{C[0], C[1], C[2], 0} - k*Node{s[0], s[3], s[5], 0},
-            hm*Node{C[3], C[4], C[5], 0} - k*Node{s[3], s[1], s[4], 0},
-            hm*Node{C[6], C[7], C[8], 0} - k*Node{s[5], s[4], s[2], 0}
+            hm*four(C)
+          - k*__builtin_shuffle(first, last, Pick{0, 3, 7, 7}),
+            hm*four(C + 3)
+          - k*__builtin_shuffle(first, last, Pick{3, 1, 6, 6}),
+            hm*__builtin_shuffle(end, Pick{1, 2, 3, 3})
+          - k*__builtin_shuffle(last, Pick{3, 2, 0, 0})
         }
     };
 }

@@ -108,9 +108,9 @@ mpm::PlasticIncrement<mpm::Lanes> mpm::StressUpdate<Dim>::yield
     {
         const SoftenedStrength<Lanes> now = law.softening.strength
         (
-            gather(p, [&](auto i) { return cloud.plasticStrain[i]; }),
+            gather(p, cloud.plasticStrain),
             cohesion,
-            gather(p, [&](auto i) { return cloud.porePressure[i]; })
+            gather(p, cloud.porePressure)
         );
         cohesion = now.cohesionIntercept;
         soil.setAngles(now.sinPhi, now.cosPhi, now.sinPsi);
@@ -191,20 +191,14 @@ mpm::Lanes mpm::StressUpdate<Dim>::updateNeoHookean
 
     SymmetricTensor<Dim, Lanes> b;
     load(cloud.leftCauchyGreen, p, b);
-    Lanes volume = deform(b, g)*gather
-    (
-        p, [&](const std::int32_t i) { return cloud.volume[i]; }
-    );
+    Lanes volume = deform(b, g)*gather(p, cloud.volume);
     if (axisymmetric_)
     {
         const Lanes stretch = Lanes(1.0) + deltaT_*gradient[Dim*Dim];
         b.zz *= stretch*stretch;
         volume *= stretch;
     }
-    const Lanes mass = gather
-    (
-        p, [&](const std::int32_t i) { return cloud.mass[i]; }
-    );
+    const Lanes mass = gather(p, cloud.mass);
     store(b, p, n, cloud.leftCauchyGreen);
     store(neoHookeanStress(b, law.lanes.moduli), p, n, cloud.sigma);
     for (int l = 0; l < n; ++l)

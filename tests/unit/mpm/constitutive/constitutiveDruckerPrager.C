@@ -301,14 +301,14 @@ TEST_CASE("Drucker-Prager: the cut-off of the mean stress")
 }
 
 
-TEST_CASE("Drucker-Prager: four points at once give what each gives alone")
+TEST_CASE("Drucker-Prager: points side by side give what each gives alone")
 {
     Random random(6);
     const DruckerPrager<double> soil =
         cone(DruckerPragerFit::planeStrain, 35, 5);
-    DruckerPrager<Lanes> four;
-    four.moduli = {Lanes(soil.moduli.lambda), Lanes(soil.moduli.mu)};
-    four.setAngles
+    DruckerPrager<Lanes> many;
+    many.moduli = {Lanes(soil.moduli.lambda), Lanes(soil.moduli.mu)};
+    many.setAngles
     (
         DruckerPragerFit::planeStrain,
         Lanes(std::sin(degree*35)),
@@ -331,7 +331,7 @@ TEST_CASE("Drucker-Prager: four points at once give what each gives alone")
             setNumber(limit, l, random(0, 5e3));
         }
         const PlasticIncrement<Lanes> plastic =
-            four.returnStress(s, cohesion, &limit);
+            many.returnStress(s, cohesion, &limit);
         for (int l = 0; l < laneCount; ++l)
         {
             const double tension = limit[l];

@@ -29,6 +29,8 @@ Description
 
 #include <doctest/doctest.h>
 
+#include <numeric>
+
 using namespace mpm;
 using namespace constitutiveTools;
 
@@ -53,7 +55,7 @@ Material clay()
 }
 
 
-//- Four points in the same plane strain, driven by a velocity gradient
+//- Points in the same plane strain, driven by a velocity gradient
 class Element
 {
     LawTable laws_;
@@ -94,7 +96,8 @@ public:
     //- dv_i/dx_j at [j*2 + i]
     void shear(const std::array<double, 4>& gradient, const double deltaT)
     {
-        const std::int32_t points[laneCount] = {0, 1, 2, 3};
+        std::int32_t points[laneCount];
+        std::iota(points, points + laneCount, 0);
         const Lanes L[4] =
         {
             Lanes(gradient[0]), Lanes(gradient[1]),
