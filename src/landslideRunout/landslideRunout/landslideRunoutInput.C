@@ -31,6 +31,7 @@ License
 #include "OSspecific.H"
 #include "SHA1.H"
 #include "StringStream.H"
+#include "Switch.H"
 #include "Time.H"
 #include "uniformDimensionedFields.H"
 
@@ -188,7 +189,8 @@ mpm::Settings Foam::landslideRunout::settings(const slidePoints& points) const
             "symmetry", "shapeFunction", "transferScheme", "stressUpdate",
             "antiLocking", "flipTime", "flipBlend", "xpicOrder", "cfl",
             "maxDeltaT", "sortInterval", "threads", "maxImbalance",
-            "massCutOff", "movedDistance", "restVelocity", "frontDirection"
+            "massCutOff", "movedDistance", "restVelocity", "frontDirection",
+            "energyAccount"
         }
     );
 
@@ -225,6 +227,7 @@ mpm::Settings Foam::landslideRunout::settings(const slidePoints& points) const
     dict.readIfPresent("massCutOff", s.massCutOff);
     dict.readIfPresent("movedDistance", s.movedDistance);
     dict.readIfPresent("restVelocity", s.restVelocity);
+    s.energyAccount = dict.getOrDefault<Switch>("energyAccount", false);
 
     if (dict.found("frontDirection"))
     {

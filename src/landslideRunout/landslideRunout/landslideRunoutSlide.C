@@ -214,6 +214,16 @@ Foam::landslideRunout::outcome Foam::landslideRunout::slide
            ).c_str()
         << "        CPU time " << clock.elapsedCpuTime() << " s" << endl;
 
+    if (d.energyAccount)
+    {
+        Info<< "    Energy lost [J]: yielding " << d.plasticEnergy
+            << ", friction on walls " << d.frictionEnergy
+            << ", impact on walls " << d.impactEnergy
+            << ", transfers " << d.transferEnergy
+            << ", integration in time " << d.integrationEnergy
+            << ", not accounted for " << d.energyRemainder << endl;
+    }
+
     return outcome
     {
         d.maxDisplacement,

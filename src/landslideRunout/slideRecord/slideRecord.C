@@ -147,6 +147,14 @@ Foam::slideRecord::slideRecord
             "activePoints"
         }
     ),
+    energy_
+    (
+        folder/"energy.dat",
+        {
+            "time", "kinetic", "elastic", "potential", "plastic", "friction",
+            "impact", "transfers", "integration", "remainder"
+        }
+    ),
     pointTimes_()
 {}
 
@@ -167,6 +175,11 @@ void Foam::slideRecord::goOnFrom(const scalar time)
     }
 
     runout_.removeAfter(time);
+    energy_.removeAfter(time);
+    if (energy_.empty())
+    {
+        rm(folder_/"energy.dat");
+    }
 
     // The point files that are there, by the times in their names
     DynamicList<scalar> times;
@@ -208,6 +221,25 @@ void Foam::slideRecord::add(const mpm::Diagnostics& d)
             Foam::name(label(d.activePoints))
         }
     );
+
+    if (d.energyAccount)
+    {
+        stringList energies;
+        for
+        (
+            const scalar energy :
+            {
+                d.kineticEnergy + d.affineKineticEnergy, d.elasticEnergy,
+                d.potentialEnergy, d.plasticEnergy, d.frictionEnergy,
+                d.impactEnergy, d.transferEnergy, d.integrationEnergy,
+                d.energyRemainder
+            }
+        )
+        {
+            energies.append(timeTable::text(energy));
+        }
+        energy_.set(d.time, energies);
+    }
 }
 
 
@@ -221,6 +253,10 @@ void Foam::slideRecord::write(const mpm::Run& run)
     }
 
     runout_.write();
+    if (!energy_.empty())
+    {
+        energy_.write();
+    }
 
     pointSetWriters::vtpPointSetWriter().write
     (

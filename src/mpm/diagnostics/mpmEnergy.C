@@ -105,6 +105,11 @@ void mpm::sumEnergies
             sums.affineKineticEnergy += 0.5*m*secondMoment*c*c;
         }
         addAngularMomentum(cloud, i, secondMoment, sums.angularMomentum);
+        if (!cloud.plasticWork.empty())
+        {
+            sums.plasticEnergy += cloud.plasticWork[i];
+            sums.integrationEnergy += cloud.integrationWork[i];
+        }
 
         const LawTable::Law& law = state.laws[cloud.law[i]];
         sums.elasticEnergy += cloud.volume[i]*

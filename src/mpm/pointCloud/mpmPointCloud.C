@@ -59,6 +59,8 @@ void mpm::PointCloud<Dim>::assign
     }
     leftCauchyGreen.clear();
     dilation.clear();
+    plasticWork.clear();
+    integrationWork.clear();
     halfSize.clear();
     heldCohesion.clear();
     heldLaw.clear();

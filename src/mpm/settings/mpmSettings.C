@@ -129,6 +129,14 @@ void mpm::Settings::validate(const int dimension) const
     choose("transferScheme", transferScheme, transferSchemes());
     choose("stressUpdate", stressUpdate, stressUpdates());
     choose("antiLocking", antiLocking, antiLockings());
+    if (energyAccount && stressUpdate != "USL")
+    {
+        throw std::invalid_argument
+        (
+            "energyAccount with stressUpdate " + stressUpdate
+          + ": the account goes with USL only"
+        );
+    }
 
     if
     (

@@ -344,10 +344,17 @@ mpm::Simulation<Dim>::Simulation
     {
         state_.cloud.dilation.assign(state_.cloud.size(), 0);
     }
+    if (settings.energyAccount)
+    {
+        account_ = std::make_unique<EnergyAccount<Dim>>();
+        state_.cloud.plasticWork.assign(state_.cloud.size(), 0);
+        state_.cloud.integrationWork.assign(state_.cloud.size(), 0);
+    }
 
     findSpeeds();
     placePoints(state_, *cycle_);
     sort();
+    startAccount();
 }
 
 
@@ -366,7 +373,15 @@ double mpm::Simulation<Dim>::step(const double deltaTLimit)
     }
 
     clock_.deltaT = std::min(stableDeltaT(), deltaTLimit);
+    if (account_)
+    {
+        account_->begin(state_, *cycle_, clock_.deltaT);
+    }
     cycle_->step(state_, clock_.deltaT);
+    if (account_)
+    {
+        account_->end(state_, *cycle_, clock_.losses);
+    }
     collectReports();
 
     clock_.time += clock_.deltaT;

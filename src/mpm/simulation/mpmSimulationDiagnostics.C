@@ -49,6 +49,25 @@ double along(const Vector<Dim>& x, const Direction& direction)
 } // End namespace mpm
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<int Dim>
+void mpm::Simulation<Dim>::startAccount()
+{
+    if (!account_)
+    {
+        return;
+    }
+    PointCloud<Dim>& cloud = state_.cloud;
+    cloud.plasticWork.assign(cloud.size(), 0);
+    cloud.integrationWork.assign(cloud.size(), 0);
+    clock_.losses = EnergyLosses();
+    Diagnostics now;
+    addEnergies(now);
+    clock_.startEnergy = now.storedEnergy();
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<int Dim>
@@ -67,6 +86,8 @@ void mpm::Simulation<Dim>::addEnergies(Diagnostics& result) const
         f(i++, d.affineKineticEnergy);
         f(i++, d.elasticEnergy);
         f(i++, d.potentialEnergy);
+        f(i++, d.plasticEnergy);
+        f(i++, d.integrationEnergy);
         for (int c = 0; c < 3; ++c)
         {
             f(i++, d.momentum[c]);
@@ -149,6 +170,17 @@ mpm::Diagnostics mpm::Simulation<Dim>::diagnostics() const
     result.rebalances = long(state_.rebalances);
     addEnergies(result);
 
+    if (account_)
+    {
+        result.energyAccount = true;
+        result.frictionEnergy = clock_.losses.friction;
+        result.impactEnergy = clock_.losses.impact;
+        result.transferEnergy = clock_.losses.transfers;
+        result.integrationEnergy += clock_.losses.integration;
+        result.energyRemainder =
+            clock_.startEnergy - result.storedEnergy() - result.lostEnergy();
+    }
+
     // A tenth of a cell is more than a soil at rest creeps
     const double moved =
         settings.movedDistance > 0
@@ -226,6 +258,7 @@ mpm::Diagnostics mpm::Simulation<Dim>::diagnostics() const
 // * * * * * * * * * * * * * Explicit Instantiations * * * * * * * * * * * * //
 
 #define instantiate(Dim)                                                       \
+    template void mpm::Simulation<Dim>::startAccount();                        \
     template void mpm::Simulation<Dim>::addEnergies(Diagnostics&) const;       \
     template double mpm::Simulation<Dim>::kthSmallest                          \
     (                                                                          \

@@ -259,12 +259,14 @@ void mpm::Simulation<Dim>::setField
             [&]() { refuseStressOfDeformation(own); }
         );
         arrays(cloud.sigma);
+        startAccount();
     }
     else if (name == "displacement") arrays(cloud.displacement);
     else
     {
         arrays(cloud.v);
         findSpeeds();
+        startAccount();
     }
 }
 

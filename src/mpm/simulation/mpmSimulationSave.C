@@ -431,12 +431,13 @@ void mpm::Simulation<Dim>::restore(std::istream& is)
                     cloud.leftCauchyGreen, state_.laws.needsDeformation()
                 )
              || !isGiven(cloud.dilation, averagesDilation())
+             || !isGiven(cloud.plasticWork, state_.settings.energyAccount)
             )
             {
                 throw std::runtime_error
                 (
-                    "The saved run was made with other constitutive models or "
-                    "another antiLocking"
+                    "The saved run was made with other constitutive models, "
+                    "another antiLocking or another energyAccount"
                 );
             }
         }

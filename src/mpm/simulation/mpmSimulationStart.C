@@ -341,6 +341,7 @@ mpm::StartReport mpm::Simulation<Dim>::comeToRest
     clock_ = Clock();
     findSpeeds();
     sort();
+    startAccount();
     report.outOfBalance = outOfBalance();
     measureExcess(report);
 

@@ -166,10 +166,72 @@ mpm::Lanes mpm::StressUpdate<Dim>::updatePlastic
       ? PlasticIncrement<Lanes>{Lanes(0.0), Lanes(yieldRegion::elastic)}
       : yield(law, cloud, p, stress);
 
+    if (!cloud.plasticWork.empty())
+    {
+        addWork(cloud, p, n, gradient, stress, law.lanes.moduli);
+    }
     return finish
     (
         cloud, p, n, stress, strain.trace(), trial, plastic, law.lanes.moduli
     );
+}
+
+
+template<int Dim>
+void mpm::StressUpdate<Dim>::addWork
+(
+    PointCloud<Dim>& cloud,
+    const std::int32_t* p,
+    const int n,
+    const Lanes* gradient,
+    const SymmetricTensor<Dim, Lanes>& stress,
+    const ElasticModuli<Lanes>& moduli
+) const
+{
+    typedef SymmetricTensor<Dim, Lanes> Stresses;
+
+    Stresses before, strain;
+    Spin<Dim, Lanes> spin;
+    load(cloud.sigma, p, before);
+    kinematics(gradient, Lanes(deltaT_), strain, spin);
+    rotateStress(before, spin);
+    Stresses trial(before);
+    addElasticStress(trial, strain, moduli);
+
+    // The plastic strain is C^-1 (trial - stress), over the mean stress of the
+    // step. With a = before + stress and b = trial - stress, their product
+    // 1/2 a : C^-1 b is a difference of elastic energies:
+    // 1/4 (W(a + b) - W(a - b))
+    Stresses sum(before), difference(before);
+    const auto add = [](Lanes& s, const Lanes& t) { s += t; };
+    const auto subtract = [](Lanes& s, const Lanes& t) { s -= t; };
+    sum.combine(trial, add);
+    difference.combine(stress, add);
+    difference.combine(stress, add);
+    difference.combine(trial, subtract);
+
+    const Lanes volume = gather(p, cloud.volume);
+    const Lanes work =
+        0.25*volume
+       *(
+            elasticEnergyDensity(sum, moduli)
+          - elasticEnergyDensity(difference, moduli)
+        );
+
+    // Nodes did the work of the stress before the step
+    Stresses half(before);
+    half.combine(stress, subtract);
+    half.combine(strain, [&](Lanes& s, const Lanes& e) { s *= 0.5*volume*e; });
+    Lanes integration = half.trace() + 2.0*half.xy;
+    if constexpr (Dim == 3)
+    {
+        integration += 2.0*(half.yz + half.zx);
+    }
+    for (int l = 0; l < n; ++l)
+    {
+        cloud.plasticWork[p[l]] += work[l];
+        cloud.integrationWork[p[l]] += integration[l];
+    }
 }
 
 

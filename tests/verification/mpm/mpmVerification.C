@@ -58,7 +58,8 @@ int main(int argc, char* argv[])
         {"validationSlope", validationSlope},
         {"griffithsLane", griffithsLane},
         {"waterTableInside", waterTableInside},
-        {"verticalCut", verticalCut}
+        {"verticalCut", verticalCut},
+        {"energyAccount", energyAccount}
     };
 
     const auto chosen = cases.find(argc > 1 ? argv[1] : "");

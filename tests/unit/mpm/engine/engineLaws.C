@@ -109,8 +109,8 @@ void checkRestart(const mpm::Settings& s)
     CHECK_THROWS_WITH_AS
     (
         other.restore(saved),
-        "The saved run was made with other constitutive models or another "
-        "antiLocking",
+        "The saved run was made with other constitutive models, another "
+        "antiLocking or another energyAccount",
         std::runtime_error
     );
 }

@@ -113,6 +113,34 @@ TEST_CASE("restart repeats the unbroken run to the last bit")
 }
 
 
+TEST_CASE("the energy account looks on, and restarts with the run")
+{
+    mpm::Settings s = settings(2, 0.1);
+    auto without = column<2>(s, 8);
+    s.energyAccount = true;
+    auto with = column<2>(s, 8);
+    for (int i = 0; i < 60; ++i)
+    {
+        without->step(1);
+        with->step(1);
+    }
+    checkSame(*without, *with);
+    CHECK(!without->diagnostics().energyAccount);
+    CHECK(with->diagnostics().plasticEnergy > 0);
+    CHECK(with->diagnostics().transferEnergy > 0);
+
+    checkRestart<2>(s);
+    std::stringstream saved;
+    with->save(saved);
+    auto second = column<2>(s, 8);
+    second->restore(saved);
+    const mpm::Diagnostics a = with->diagnostics();
+    const mpm::Diagnostics b = second->diagnostics();
+    CHECK(a.lostEnergy() == b.lostEnergy());
+    CHECK(a.energyRemainder == b.energyRemainder);
+}
+
+
 TEST_CASE("a run of several threads repeats that of one to the last bit")
 {
     const auto check = [](const auto& make, const int dimension)

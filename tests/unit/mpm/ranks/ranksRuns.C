@@ -65,7 +65,9 @@ struct Outcome
             d.maxVelocity, d.rmsVelocity, d.maxPlasticStrain, d.front,
             d.front99, d.crest, double(d.activePoints), double(d.movedPoints),
             double(d.yieldingPoints), double(d.clampedByWalls),
-            double(d.sorts)
+            double(d.sorts), d.plasticEnergy, d.frictionEnergy,
+            d.impactEnergy, d.transferEnergy, d.integrationEnergy,
+            d.energyRemainder
         };
     }
 };
@@ -242,6 +244,14 @@ TEST_CASE("several ranks give the run of one, bit by bit")
         s.antiLocking = antiLocking;
         checkRanks<3>(s, 7, 40, 15);
     }
+
+    // Nodes that ranks share count once in the energy account
+    mpm::Settings s = settings(2, 0.1);
+    s.energyAccount = true;
+    checkRanks<2>(s, 20, 100);
+    s = settings(3, 0.2);
+    s.energyAccount = true;
+    checkRanks<3>(s, 7, 100);
 }
 
 
