@@ -48,6 +48,7 @@ void mpm::FusedCycle<Dim>::scatterPatches
                     deltaT,
                     state.grid.patchOf(b)
                 );
+                foldPatch(state, b, 1, true);
             }
         }
     );
@@ -60,6 +61,10 @@ void mpm::FusedCycle<Dim>::scatterPatches
 template<int Dim>
 void mpm::FusedCycle<Dim>::step(State<Dim>& state, const double deltaT)
 {
+    for (BlockReport<Dim>& report : state.reports)
+    {
+        report.reset();
+    }
     scatterPatches(state, deltaT);
 
     Vector<Dim> dv;
@@ -69,11 +74,11 @@ void mpm::FusedCycle<Dim>::step(State<Dim>& state, const double deltaT)
     }
     state.forBlocks
     (
-        [&state, &dv](const std::size_t b)
+        [&state, &dv, deltaT](const std::size_t b)
         {
             sumVelocities<Dim, reach>(state, b);
             accelerate<Dim>(state, b, dv);
-            applyWalls(state, b);
+            applyWalls(state, b, deltaT);
         }
     );
 

@@ -87,7 +87,7 @@ void mpm::GenericCycle<Dim, Shape>::balance
         }
         state.forBlocks
         (
-            [&](Index b) { scatterPoints(state, b, true, deltaT); }
+            [&](Index b) { scatterPoints(state, b, true, deltaT, 1); }
         );
         state.completePatches();
         state.forBlocks
@@ -96,25 +96,30 @@ void mpm::GenericCycle<Dim, Shape>::balance
             {
                 sumVelocities<Dim, reach>(state, b);
                 accelerate<Dim>(state, b, dv);
-                applyWalls(state, b);
+                applyWalls(state, b, deltaT);
             }
         );
         return;
     }
 
+    // What walls take from the velocities before reaches the points in part
+    const double share = 1 - scheme_.kept(deltaT);
     before_.resize(state.grid.nodes.size());
-    state.forBlocks([&](Index b) { scatterPoints(state, b, true, 0); });
+    state.forBlocks
+    (
+        [&](Index b) { scatterPoints(state, b, true, 0, share); }
+    );
     state.completePatches();
     state.forBlocks
     (
         [&](Index b)
         {
             sumVelocities<Dim, reach>(state, b);
-            applyHoldingWalls(state, b);
+            applyHoldingWalls(state, b, share);
             keep(state, b, before_);
             if (stressFirst)
             {
-                applyWalls(state, b);
+                applyWalls(state, b, 0);
             }
         }
     );
@@ -132,7 +137,7 @@ void mpm::GenericCycle<Dim, Shape>::balance
             }
             else
             {
-                scatterPoints(state, b, false, deltaT);
+                scatterPoints(state, b, false, deltaT, 1);
             }
         }
     );
@@ -142,7 +147,7 @@ void mpm::GenericCycle<Dim, Shape>::balance
         [&](Index b)
         {
             addImpulse(state, b, deltaT);
-            applyWalls(state, b);
+            applyWalls(state, b, deltaT);
         }
     );
 }
@@ -173,7 +178,7 @@ void mpm::GenericCycle<Dim, Shape>::filter(State<Dim>& state)
             [&](Index b)
             {
                 sumVelocities<Dim, reach>(state, b);
-                applyHoldingWalls(state, b);
+                applyHoldingWalls(state, b, 0);
             }
         );
         for (std::size_t i = 0; i < n; ++i)
@@ -252,14 +257,17 @@ void mpm::GenericCycle<Dim, Shape>::step
 
     if (mapsTwice)
     {
-        state.forBlocks([&](Index b) { scatterPoints(state, b, true, 0); });
+        state.forBlocks
+        (
+            [&](Index b) { scatterPoints(state, b, true, 0, 0); }
+        );
         state.completePatches();
         state.forBlocks
         (
             [&](Index b)
             {
                 sumVelocities<Dim, reach>(state, b);
-                applyWalls(state, b);
+                applyWalls(state, b, 0);
             }
         );
         average(state, deltaT);
@@ -280,7 +288,10 @@ void mpm::GenericCycle<Dim, Shape>::scatter
 {
     typedef const std::size_t Index;
 
-    state.forBlocks([&](Index b) { scatterPoints(state, b, true, deltaT); });
+    state.forBlocks
+    (
+        [&](Index b) { scatterPoints(state, b, true, deltaT, 0); }
+    );
     state.completePatches();
     state.forBlocks
     (

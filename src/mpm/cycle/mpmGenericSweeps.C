@@ -21,6 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "mpmGenericCycle.H"
+#include "mpmGridUpdate.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -426,7 +427,8 @@ void mpm::GenericCycle<Dim, Shape>::scatterPoints
     State<Dim>& state,
     const std::size_t b,
     const bool momentum,
-    const double impulseTime
+    const double impulseTime,
+    const double recordedShare
 ) const
 {
     const Block& block = state.grid[b];
@@ -461,7 +463,7 @@ void mpm::GenericCycle<Dim, Shape>::scatterPoints
             }
         }
     );
-    state.grid.fold(block, patch);
+    foldPatch(state, b, recordedShare, momentum);
 }
 
 
@@ -504,7 +506,7 @@ void mpm::GenericCycle<Dim, Shape>::updateAndScatter
             }
         }
     );
-    state.grid.fold(block, patch);
+    foldPatch(state, b, 1, false);
 }
 
 
@@ -529,9 +531,11 @@ void mpm::GenericCycle<Dim, Shape>::gather
     const BlockGrid<Dim>& grid = state.grid;
     const bool needsChange = scheme_.needsChange();
     grid.template collect<reach>(grid.nodes, block, after);
+    recordMirrors(state, b, after, 1);
     if (needsChange)
     {
         grid.template collect<reach>(before_, block, before);
+        recordMirrors(state, b, before, -scheme_.kept(deltaT));
     }
     if (scheme_.filters())
     {
@@ -710,7 +714,7 @@ void mpm::GenericCycle<Dim, Shape>::smooth
             }
         }
     );
-    state.grid.fold(block, patch);
+    foldPatch(state, b, 0, false);
 }
 
 
@@ -722,6 +726,7 @@ void mpm::GenericCycle<Dim, Shape>::smooth
         State<Dim>&,                                                           \
         std::size_t,                                                           \
         bool,                                                                  \
+        double,                                                                \
         double                                                                 \
     ) const;                                                                   \
     template void mpm::GenericCycle<Dim, mpm::Shape>::updateAndScatter         \

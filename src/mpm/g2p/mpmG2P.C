@@ -21,6 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "mpmG2P.H"
+#include "mpmGridUpdate.H"
 #include "mpmMovePoint.H"
 #include "mpmShapeBatch.H"
 #include "mpmTranspose.H"
@@ -222,8 +223,6 @@ void mpm::gatherAPIC
 )
 {
     BlockReport<Dim>& report = state.reports[b];
-    report.reset();
-
     auto& block = state.grid[b];
     const std::size_t n = block.points.size();
     if (n == 0)
@@ -235,6 +234,8 @@ void mpm::gatherAPIC
 
     alignas(64) Node patch[BlockGrid<Dim>::nPatchNodes(Batch::reach)];
     state.grid.template collect<Batch::reach>(state.grid.nodes, block, patch);
+
+    recordMirrors(state, b, patch, 1);
 
     constexpr double shift = QuadraticBSpline::shift;
     constexpr double end = BlockGrid<Dim>::edge + shift;

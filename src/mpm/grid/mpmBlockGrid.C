@@ -22,6 +22,7 @@ License
 
 #include "mpmBlockGrid.H"
 #include "mpmBinary.H"
+#include "mpmContactArea.H"
 
 #include <cmath>
 
@@ -94,6 +95,7 @@ std::int32_t mpm::BlockGrid<Dim>::add
             blocks_[mine].walls.swap(old.walls);
             blocks_[mine].wallNodes.swap(old.wallNodes);
             blocks_[mine].mirrors.swap(old.mirrors);
+            blocks_[mine].mirrored.swap(old.mirrored);
         }
         else
         {
@@ -135,6 +137,7 @@ void mpm::BlockGrid<Dim>::findWalls(Block& block) const
             continue;
         }
         block.walls.push_back(std::int32_t(w));
+        const std::size_t first = block.wallNodes.size();
 
         for (int i = 0; i < nNodes; ++i)
         {
@@ -147,8 +150,22 @@ void mpm::BlockGrid<Dim>::findWalls(Block& block) const
             {
                 block.wallNodes.push_back
                 (
-                    WallNode{i, std::int32_t(w), normal}
+                    WallNode{i, std::int32_t(w), normal, 0, 0}
                 );
+            }
+        }
+
+        if (wall.needsArea() && block.wallNodes.size() > first)
+        {
+            const ContactArea<Dim> contact
+            (
+                wall, position(block, {}), cellSize_, edge, onWall()
+            );
+            for (std::size_t i = first; i < block.wallNodes.size(); ++i)
+            {
+                WallNode& node = block.wallNodes[i];
+                node.area = contact.area(node.node);
+                node.volume = contact.volume(node.node);
             }
         }
 
@@ -159,7 +176,7 @@ void mpm::BlockGrid<Dim>::findWalls(Block& block) const
             {
                 at[d] = rest % patchEdge();
             }
-            findMirror(block, wall, at);
+            findMirror(block, std::int32_t(w), at);
         }
     }
 }
@@ -169,10 +186,11 @@ template<int Dim>
 void mpm::BlockGrid<Dim>::findMirror
 (
     Block& block,
-    const Wall<Dim>& wall,
+    const std::int32_t w,
     const std::array<int, Dim>& at
 ) const
 {
+    const Wall<Dim>& wall = (*walls_)[w];
     Vector<Dim> normal;
     if (std::fabs(wall.distance(position(block, at), normal)) > onWall())
     {
@@ -198,13 +216,17 @@ void mpm::BlockGrid<Dim>::findMirror
          && at[d] + 1 < patchEdge()
         )
         {
-            Mirror m{node, normal[d] > 0 ? stride : -stride, {}};
+            Mirror m{node, normal[d] > 0 ? stride : -stride, w, {}};
             for (int e = 0; e < Dim; ++e)
             {
                 m.sign[e] = wall.holdsAlong() || e == d ? -1 : 1;
             }
             m.sign[massOf] = 1;
             block.mirrors.push_back(m);
+            if (wall.record() >= 0 || !block.mirrored.empty())
+            {
+                block.mirrored.resize(block.mirrors.size(), 0);
+            }
         }
         stride *= patchEdge();
     }
@@ -427,7 +449,8 @@ std::size_t mpm::BlockGrid<Dim>::bytes() const
             block.points.capacity()*sizeof(std::int32_t)
           + block.walls.capacity()*sizeof(std::int32_t)
           + block.wallNodes.capacity()*sizeof(WallNode)
-          + block.mirrors.capacity()*sizeof(Mirror);
+          + block.mirrors.capacity()*sizeof(Mirror)
+          + block.mirrored.capacity()*sizeof(double);
     }
     return sum;
 }

@@ -22,6 +22,63 @@ License
 
 #include "mpmGridUpdate.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace mpm
+{
+namespace
+{
+
+//- Record a share of the momentum that a wall gave to a node, if it is to be
+//  and no other rank does
+template<int Dim>
+inline void recordNode
+(
+    State<Dim>& state,
+    const std::size_t block,
+    const typename BlockGrid<Dim>::WallNode& w,
+    const double share,
+    const Node& before,
+    const Node& after
+)
+{
+    const int record = state.walls[w.wall].record();
+    if
+    (
+        record >= 0 && share != 0
+     && state.grid.isOwn(state.grid[block], w.node)
+    )
+    {
+        const double m = share*after[massOf];
+        state.reports[block].push(record, Node{m, m, m, m}*(after - before));
+    }
+}
+
+
+//- Record a share of what the image of a momentum has more than it
+template<int Dim>
+inline void recordMirror
+(
+    State<Dim>& state,
+    const std::size_t block,
+    const typename BlockGrid<Dim>::Mirror& m,
+    const double share,
+    const Node& momentum
+)
+{
+    const int record = state.walls[m.wall].record();
+    if (record >= 0 && share != 0)
+    {
+        const Node one{1, 1, 1, 1};
+        const Node shares{share, share, share, share};
+        state.reports[block].push(record, shares*(m.sign - one)*momentum);
+    }
+}
+
+} // End anonymous namespace
+} // End namespace mpm
+
+
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 template<int Dim, int Reach>
@@ -72,29 +129,118 @@ void mpm::accelerate
 
 
 template<int Dim>
-void mpm::applyWalls(State<Dim>& state, const std::size_t block)
+void mpm::applyWalls
+(
+    State<Dim>& state,
+    const std::size_t block,
+    const double deltaT
+)
 {
     Node* nodes = state.grid.nodesOf(block);
     for (const auto& w : state.grid[block].wallNodes)
     {
-        if (nodes[w.node][massOf] > 0)
+        Node& node = nodes[w.node];
+        if (!(node[massOf] > 0))
         {
-            state.walls[w.wall].act(w.normal, nodes[w.node]);
+            continue;
+        }
+        const Wall<Dim>& wall = state.walls[w.wall];
+        if (wall.isPlain() || !(deltaT > 0))
+        {
+            wall.act(w.normal, node);
+            continue;
+        }
+
+        // A node without its whole mass of soil has not its whole area
+        const Node before = node;
+        const double wholeMass = state.leastDensity*w.volume;
+        wall.act
+        (
+            w.normal,
+            node,
+            deltaT*wall.adhesion()*w.area/std::max(node[massOf], wholeMass)
+        );
+        recordNode(state, block, w, 1, before, node);
+    }
+}
+
+
+template<int Dim>
+void mpm::applyHoldingWalls
+(
+    State<Dim>& state,
+    const std::size_t block,
+    const double share
+)
+{
+    Node* nodes = state.grid.nodesOf(block);
+    for (const auto& w : state.grid[block].wallNodes)
+    {
+        Node& node = nodes[w.node];
+        if (node[massOf] > 0 && state.walls[w.wall].holds())
+        {
+            const Node before = node;
+            state.walls[w.wall].act(w.normal, node);
+            recordNode(state, block, w, share, before, node);
         }
     }
 }
 
 
 template<int Dim>
-void mpm::applyHoldingWalls(State<Dim>& state, const std::size_t block)
+void mpm::foldPatch
+(
+    State<Dim>& state,
+    const std::size_t b,
+    const double share,
+    const bool momentum
+)
 {
-    Node* nodes = state.grid.nodesOf(block);
-    for (const auto& w : state.grid[block].wallNodes)
+    BlockGrid<Dim>& grid = state.grid;
+    auto& block = grid[b];
+    if (block.mirrored.empty())
     {
-        if (nodes[w.node][massOf] > 0 && state.walls[w.wall].holds())
+        grid.fold(block, grid.patchOf(b), [](std::size_t, const Node&) {});
+        return;
+    }
+    grid.fold
+    (
+        block,
+        grid.patchOf(b),
+        [&](const std::size_t i, const Node& behind)
         {
-            state.walls[w.wall].act(w.normal, nodes[w.node]);
+            recordMirror(state, b, block.mirrors[i], share, behind);
+            if (momentum)
+            {
+                block.mirrored[i] = behind[massOf];
+            }
         }
+    );
+}
+
+
+template<int Dim>
+void mpm::recordMirrors
+(
+    State<Dim>& state,
+    const std::size_t b,
+    const Node* velocities,
+    const double share
+)
+{
+    const auto& block = state.grid[b];
+    for (std::size_t i = 0; i < block.mirrored.size(); ++i)
+    {
+        const auto& m = block.mirrors[i];
+        const double mass = block.mirrored[i];
+        recordMirror
+        (
+            state,
+            b,
+            m,
+            share,
+            Node{mass, mass, mass, mass}*velocities[m.node + m.step]
+        );
     }
 }
 
@@ -115,10 +261,23 @@ instantiate(3, 3)
 
 template void mpm::accelerate<2>(State<2>&, std::size_t, const Vector<2>&);
 template void mpm::accelerate<3>(State<3>&, std::size_t, const Vector<3>&);
-template void mpm::applyWalls(State<2>&, std::size_t);
-template void mpm::applyWalls(State<3>&, std::size_t);
-template void mpm::applyHoldingWalls(State<2>&, std::size_t);
-template void mpm::applyHoldingWalls(State<3>&, std::size_t);
+
+#define instantiate(Dim)                                                       \
+    template void mpm::applyWalls(State<Dim>&, std::size_t, double);           \
+    template void mpm::applyHoldingWalls(State<Dim>&, std::size_t, double);    \
+    template void mpm::foldPatch(State<Dim>&, std::size_t, double, bool);      \
+    template void mpm::recordMirrors                                           \
+    (                                                                          \
+        State<Dim>&,                                                           \
+        std::size_t,                                                           \
+        const Node*,                                                           \
+        double                                                                 \
+    );
+
+instantiate(2)
+instantiate(3)
+
+#undef instantiate
 
 
 // ************************************************************************* //

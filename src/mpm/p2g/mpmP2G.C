@@ -241,7 +241,6 @@ void mpm::scatterAPIC
             );
         }
     }
-    grid.fold(block, patch);
 }
 
 

@@ -29,7 +29,10 @@ License
 
 const std::vector<std::string>& mpm::WallSettings::types()
 {
-    static const std::vector<std::string> names{"plane", "terrain"};
+    static const std::vector<std::string> names
+    {
+        "plane", "terrain", "box", "levelSet"
+    };
     return names;
 }
 
@@ -57,6 +60,16 @@ void mpm::WallSettings::validate(const int dimension) const
         friction >= 0 && std::isfinite(friction),
         wall + "friction", friction, ">= 0 (tangent of the friction angle)"
     );
+    require
+    (
+        adhesion >= 0 && std::isfinite(adhesion),
+        wall + "adhesion", adhesion, ">= 0 [Pa]"
+    );
+    require
+    (
+        adhesion == 0 || condition == "coulomb",
+        wall + "adhesion", adhesion, "0 unless the condition is coulomb"
+    );
 
     if (type == "plane")
     {
@@ -69,6 +82,24 @@ void mpm::WallSettings::validate(const int dimension) const
         (
             square > 0 && std::isfinite(square),
             wall + "normal (square of its length)", square, "> 0"
+        );
+        return;
+    }
+
+    if (type != "terrain")
+    {
+        for (int d = 0; d < dimension; ++d)
+        {
+            require
+            (
+                upper[d] > lower[d] && std::isfinite(upper[d] - lower[d]),
+                wall + "extent of the box", upper[d] - lower[d], "> 0 [m]"
+            );
+        }
+        require
+        (
+            type == "box" || (spacing > 0 && std::isfinite(spacing)),
+            wall + "spacing of the samples", spacing, "> 0 [m]"
         );
         return;
     }

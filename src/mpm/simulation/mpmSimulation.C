@@ -60,10 +60,14 @@ std::vector<mpm::Wall<Dim>> mpm::Simulation<Dim>::makeWalls
 )
 {
     std::vector<Wall<Dim>> made;
+    int nRecords = 0;
     for (const WallSettings& wall : walls)
     {
         wall.validate(Dim);
-        made.emplace_back(wall, up(settings));
+        made.emplace_back
+        (
+            wall, up(settings), wall.recordsLoad ? nRecords++ : -1
+        );
     }
     if (settings.axisymmetric())
     {
@@ -80,11 +84,65 @@ std::vector<mpm::Wall<Dim>> mpm::Simulation<Dim>::makeWalls
 
 
 template<int Dim>
+void mpm::Simulation<Dim>::clearLoads()
+{
+    loads_.clear();
+    for (const Wall<Dim>& wall : state_.walls)
+    {
+        if (wall.record() >= 0)
+        {
+            loads_.emplace_back();
+            loads_.back().wall = wall.name();
+        }
+    }
+}
+
+
+template<int Dim>
+void mpm::Simulation<Dim>::addPushes(ExactSum* sums) const
+{
+    for (const BlockReport<Dim>& report : state_.reports)
+    {
+        for (const auto& push : report.pushes)
+        {
+            for (int d = 0; d < Dim; ++d)
+            {
+                sums[push.record*Dim + d].add(push.impulse[d]);
+            }
+        }
+    }
+}
+
+
+template<int Dim>
+void mpm::Simulation<Dim>::setLoads(const ExactSum* sums)
+{
+    for (WallLoad& load : loads_)
+    {
+        double square = 0;
+        for (int d = 0; d < Dim; ++d, ++sums)
+        {
+            const double impulse = -sums->value();
+            load.impulse[d] += impulse;
+            load.force[d] = impulse/clock_.deltaT;
+            square += load.force[d]*load.force[d];
+        }
+        if (square > load.maxForce*load.maxForce)
+        {
+            load.maxForce = std::sqrt(square);
+            load.maxForceTime = clock_.time + clock_.deltaT;
+        }
+    }
+}
+
+
+template<int Dim>
 void mpm::Simulation<Dim>::findSpeeds()
 {
     const PointCloud<Dim>& cloud = state_.cloud;
 
-    std::vector<double> maxima(3, 0.0);
+    enum { speed2Of, wave2Of, massOfPoint, lightness, nMaxima };
+    std::vector<double> maxima(nMaxima, 0.0);
     ExactSum mass;
     for (std::size_t i = 0; i < cloud.size(); ++i)
     {
@@ -103,17 +161,20 @@ void mpm::Simulation<Dim>::findSpeeds()
           : law.stiffness;
         const double wave2 = stiffness*cloud.volume[i]/cloud.mass[i];
 
-        maxima[0] = std::max(maxima[0], speed2);
-        maxima[1] = std::max(maxima[1], wave2);
-        maxima[2] = std::max(maxima[2], cloud.mass[i]);
+        maxima[speed2Of] = std::max(maxima[speed2Of], speed2);
+        maxima[wave2Of] = std::max(maxima[wave2Of], wave2);
+        maxima[massOfPoint] = std::max(maxima[massOfPoint], cloud.mass[i]);
+        maxima[lightness] =
+            std::max(maxima[lightness], cloud.volume[i]/cloud.mass[i]);
         mass.add(cloud.mass[i]);
     }
 
     std::vector<ExactSum> sums{mass};
     reduceExact(*state_.communicator, maxima, sums);
-    clock_.speed2 = maxima[0];
-    clock_.wave2 = maxima[1];
-    state_.maxMass = maxima[2];
+    clock_.speed2 = maxima[speed2Of];
+    clock_.wave2 = maxima[wave2Of];
+    clock_.leastDensity = state_.leastDensity = 1/maxima[lightness];
+    state_.maxMass = maxima[massOfPoint];
     totalMass_ = sums[0].value();
 }
 
@@ -145,7 +206,7 @@ void mpm::Simulation<Dim>::collectReports()
     Migration<Dim> migration(state_);
     enum { speed2, wave2, minusBroken, reach, opens, nMaxima };
     std::vector<double> maxima(nMaxima, 0.0);
-    std::vector<ExactSum> energy(1);
+    std::vector<ExactSum> sums(1 + Dim*loads_.size());
     const double noPoint = -double(nPoints_);
     std::int32_t broken = -1;
     maxima[minusBroken] = noPoint;
@@ -165,7 +226,7 @@ void mpm::Simulation<Dim>::collectReports()
         }
         maxima[speed2] = std::max(maxima[speed2], report.speed2);
         maxima[wave2] = std::max(maxima[wave2], report.wave2);
-        energy[0].add(report.kineticEnergy);
+        sums[0].add(report.kineticEnergy);
         clock_.clampedByWalls += report.clampedByWalls;
         clock_.clampedByGrid += report.clampedByGrid;
         for (const auto& leaving : report.leaving)
@@ -173,10 +234,11 @@ void mpm::Simulation<Dim>::collectReports()
             migration.add(leaving.point, leaving.to);
         }
     }
+    addPushes(sums.data() + 1);
     maxima[reach] = migration.reach();
     maxima[opens] = migration.opens();
     const double mine = maxima[minusBroken];
-    reduceExact(*state_.communicator, maxima, energy);
+    reduceExact(*state_.communicator, maxima, sums);
 
     if (maxima[minusBroken] > noPoint)
     {
@@ -193,7 +255,8 @@ void mpm::Simulation<Dim>::collectReports()
     }
     clock_.speed2 = maxima[speed2];
     clock_.wave2 = maxima[wave2];
-    clock_.kineticEnergy = energy[0].value();
+    clock_.kineticEnergy = sums[0].value();
+    setLoads(sums.data() + 1);
 
     migration.send(typename Migration<Dim>::Reach(maxima[reach]));
     migration.settle();
@@ -236,7 +299,7 @@ typename mpm::Simulation<Dim>::Good mpm::Simulation<Dim>::keep() const
 {
     std::ostringstream blocks;
     state_.grid.write(blocks);
-    return Good{state_.cloud, blocks.str(), state_.partition, clock_};
+    return Good{state_.cloud, blocks.str(), state_.partition, clock_, loads_};
 }
 
 
@@ -248,6 +311,8 @@ void mpm::Simulation<Dim>::goBack(const Good& good)
     state_.cloud = good.cloud;
     state_.partition = good.partition;
     clock_ = good.clock;
+    state_.leastDensity = clock_.leastDensity;
+    loads_ = good.loads;
     state_.connect();
 }
 
@@ -298,6 +363,7 @@ mpm::Simulation<Dim>::Simulation
     totalMass_(0)
 {
     points.validate(Dim, materials.size());
+    clearLoads();
 
     // Each rank takes up an equal part, then gives each point to its owner
     const std::size_t rank = communicator->rank();

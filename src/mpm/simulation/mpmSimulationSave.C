@@ -113,6 +113,40 @@ void mpm::Simulation<Dim>::writeBlocks
 
 
 template<int Dim>
+std::vector<double> mpm::Simulation<Dim>::packedLoads() const
+{
+    std::vector<double> values;
+    for (const WallLoad& load : loads_)
+    {
+        values.insert(values.end(), load.impulse.begin(), load.impulse.end());
+        values.insert(values.end(), load.force.begin(), load.force.end());
+        values.push_back(load.maxForce);
+        values.push_back(load.maxForceTime);
+    }
+    return values;
+}
+
+
+template<int Dim>
+void mpm::Simulation<Dim>::unpackLoads(const std::vector<double>& values)
+{
+    const double* next = values.data();
+    const auto takeOut = [&next](auto& numbers)
+    {
+        std::copy_n(next, numbers.size(), numbers.begin());
+        next += numbers.size();
+    };
+    for (WallLoad& load : loads_)
+    {
+        takeOut(load.impulse);
+        takeOut(load.force);
+        load.maxForce = *next++;
+        load.maxForceTime = *next++;
+    }
+}
+
+
+template<int Dim>
 void mpm::Simulation<Dim>::readLaws(std::istream& is)
 {
     std::vector<std::int32_t> zones;
@@ -254,6 +288,7 @@ void mpm::Simulation<Dim>::save(std::ostream& os) const
         writeBinary(os, state_.settings.cellSize);
         writeBinary(os, std::uint64_t(nPoints_));
         writeBinary(os, clock);
+        writeBinary(os, packedLoads());
 
         std::vector<std::int32_t> zones;
         std::vector<double> angles;
@@ -321,6 +356,7 @@ void mpm::Simulation<Dim>::restore(std::istream& is)
 {
     Communicator& communicator = *state_.communicator;
     Clock clock{};
+    std::vector<double> loads(packedLoads());
     communicator.agree
     (
         [&]()
@@ -358,15 +394,26 @@ void mpm::Simulation<Dim>::restore(std::istream& is)
                 throw std::runtime_error(message.str());
             }
             readBinary(is, clock);
+            loads.clear();
+            readBinary(is, loads);
+            if (loads.size() != packedLoads().size())
+            {
+                throw std::runtime_error
+                (
+                    "The saved run has other walls whose load is recorded"
+                );
+            }
         }
     );
 
     // Counts of all ranks go on at the master
     Buffer bytes;
     append(bytes, &clock, 1);
+    append(bytes, loads.data(), loads.size());
     communicator.broadcast(bytes);
     std::size_t at = 0;
     take(bytes, at, &clock, 1);
+    take(bytes, at, loads.data(), loads.size());
     if (!master())
     {
         clock.clampedByWalls = clock.clampedByGrid = 0;
@@ -447,6 +494,8 @@ void mpm::Simulation<Dim>::restore(std::istream& is)
     // Masses are those of the saved points
     findSpeeds();
     clock_ = clock;
+    state_.leastDensity = clock_.leastDensity;
+    unpackLoads(loads);
 }
 
 
@@ -464,6 +513,11 @@ void mpm::Simulation<Dim>::restore(std::istream& is)
         const std::vector<std::int32_t>&                                       \
     ) const;                                                                   \
     template void mpm::Simulation<Dim>::readLaws(std::istream&);               \
+    template std::vector<double> mpm::Simulation<Dim>::packedLoads() const;    \
+    template void mpm::Simulation<Dim>::unpackLoads                            \
+    (                                                                          \
+        const std::vector<double>&                                             \
+    );                                                                         \
     template std::vector<std::size_t> mpm::Simulation<Dim>::readBlocks         \
     (                                                                          \
         std::istream&                                                          \

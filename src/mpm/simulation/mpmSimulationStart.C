@@ -339,6 +339,7 @@ mpm::StartReport mpm::Simulation<Dim>::comeToRest
     cloud.release();
 
     clock_ = Clock();
+    clearLoads();
     findSpeeds();
     sort();
     startAccount();

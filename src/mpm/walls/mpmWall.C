@@ -23,10 +23,31 @@ License
 #include "mpmWall.H"
 #include "mpmNames.H"
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<int Dim>
+double mpm::Wall<Dim>::distanceToShape
+(
+    const Vector<Dim>& x,
+    Vector<Dim>& normal
+) const
+{
+    return
+        terrain_ ? terrain_->distance(x, normal)
+      : box_ ? box_->distance(x, normal)
+      : levelSet_->distance(x, normal);
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 template<int Dim>
-mpm::Wall<Dim>::Wall(const WallSettings& settings, const Vector<Dim>& up)
+mpm::Wall<Dim>::Wall
+(
+    const WallSettings& settings,
+    const Vector<Dim>& up,
+    const int record
+)
 :
     name_(settings.name),
     condition_
@@ -42,6 +63,8 @@ mpm::Wall<Dim>::Wall(const WallSettings& settings, const Vector<Dim>& up)
         )
     ),
     friction_(settings.friction),
+    adhesion_(settings.adhesion),
+    record_(record),
     point_(),
     normal_(),
     terrain_
@@ -52,7 +75,28 @@ mpm::Wall<Dim>::Wall(const WallSettings& settings, const Vector<Dim>& up)
             settings.name, settings.vertices, settings.triangles, up
         )
       : nullptr
-    )
+    ),
+    box_
+    (
+        settings.type == "box"
+      ? std::make_shared<const Box<Dim>>(settings.lower, settings.upper)
+      : nullptr
+    ),
+    levelSet_
+    (
+        settings.type == "levelSet"
+      ? std::make_shared<const LevelSet<Dim>>
+        (
+            settings.name,
+            settings.signedDistance,
+            settings.lower,
+            settings.upper,
+            settings.spacing
+        )
+      : nullptr
+    ),
+    isPlane_(!terrain_ && !box_ && !levelSet_),
+    isPlain_(record_ < 0 && !needsArea())
 {
     double square = 0;
     for (int d = 0; d < Dim; ++d)
@@ -60,7 +104,7 @@ mpm::Wall<Dim>::Wall(const WallSettings& settings, const Vector<Dim>& up)
         point_[d] = settings.point[d];
         square += settings.normal[d]*settings.normal[d];
     }
-    for (int d = 0; !terrain_ && d < Dim; ++d)
+    for (int d = 0; isPlane_ && d < Dim; ++d)
     {
         normal_[d] = settings.normal[d]/std::sqrt(square);
     }

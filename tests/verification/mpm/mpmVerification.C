@@ -50,6 +50,7 @@ int main(int argc, char* argv[])
         {"methodPairs", methodPairs},
         {"manufactured", manufactured},
         {"blockOnIncline", blockOnIncline},
+        {"wallLoads", wallLoads},
         {"twoDisks", twoDisks},
         {"spinningBody", spinningBody},
         {"selfWeightColumn", selfWeightColumn},
