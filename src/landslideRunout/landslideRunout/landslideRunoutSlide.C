@@ -140,6 +140,7 @@ Foam::landslideRunout::outcome Foam::landslideRunout::slide
     slideRecord record(outputFolder()/time_.timeName(), frame_);
 
     start(*run, state, record, points);
+    record.startLoads(*run);
 
     mpm::Diagnostics d(run->diagnostics());
 
@@ -158,7 +159,7 @@ Foam::landslideRunout::outcome Foam::landslideRunout::slide
 
     if (state.row() == 0)
     {
-        record.add(d);
+        record.add(d, *run);
         mpmChecked(properties_, "writing the slide", write);
     }
 
@@ -178,7 +179,7 @@ Foam::landslideRunout::outcome Foam::landslideRunout::slide
         );
 
         state.lookForRest(control_, d, verdict_.stableBelow());
-        record.add(d);
+        record.add(d, *run);
 
         if
         (
@@ -204,8 +205,15 @@ Foam::landslideRunout::outcome Foam::landslideRunout::slide
         << ", moved points " << label(d.movedPoints) << nl
         << "        put back: " << label(d.clampedByWalls)
         << " times by walls, " << label(d.clampedByGrid)
-        << " times by the grid's largest extent" << nl
-        << (
+        << " times by the grid's largest extent" << nl;
+
+    for (const mpm::WallLoad& load : run->wallLoads())
+    {
+        Info<< "        largest force on " << load.wall.c_str() << ' '
+            << load.maxForce << " N at " << load.maxForceTime << " s" << nl;
+    }
+
+    Info<< (
                run->nRanks() > 1
              ? "        blocks changed hands " + Foam::name(label(d.rebalances))
              + " times; largest share of the work over the mean "

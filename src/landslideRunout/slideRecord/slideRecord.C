@@ -99,6 +99,20 @@ Foam::pointTable Foam::slideRecord::table(const mpm::Run& run) const
 }
 
 
+Foam::vectorField Foam::slideRecord::impulses(const mpm::Run& run) const
+{
+    vectorField result(label(run.wallLoads().size()));
+
+    forAll(result, i)
+    {
+        const mpm::Point3& j = run.wallLoads()[i].impulse;
+        result[i] = frame_.directionToSpace(vector(j[0], j[1], j[2]));
+    }
+
+    return result;
+}
+
+
 Foam::word Foam::slideRecord::pointFile(const scalar time)
 {
     return "points_" + timeTable::text(time) + ".vtp";
@@ -155,7 +169,10 @@ Foam::slideRecord::slideRecord
             "impact", "transfers", "integration", "remainder"
         }
     ),
-    pointTimes_()
+    pointTimes_(),
+    loads_(),
+    lastImpulse_(),
+    lastTime_(0)
 {}
 
 
@@ -208,8 +225,64 @@ void Foam::slideRecord::goOnFrom(const scalar time)
 }
 
 
-void Foam::slideRecord::add(const mpm::Diagnostics& d)
+void Foam::slideRecord::startLoads(const mpm::Run& run)
 {
+    loads_.clear();
+    loads_.setSize(run.wallLoads().size());
+
+    forAll(loads_, i)
+    {
+        loads_.set
+        (
+            i,
+            new timeTable
+            (
+                folder_/("force_" + run.wallLoads()[i].wall + ".dat"),
+                {
+                    "time", "Fx", "Fy", "Fz", "impulseX", "impulseY",
+                    "impulseZ", "maxForce", "maxForceTime"
+                }
+            )
+        );
+        loads_[i].removeAfter(run.stepNumber() ? run.time() : -1);
+    }
+
+    lastImpulse_ = impulses(run);
+    lastTime_ = run.time();
+}
+
+
+void Foam::slideRecord::add(const mpm::Diagnostics& d, const mpm::Run& run)
+{
+    const vectorField impulse(impulses(run));
+    const scalar interval = d.time - lastTime_;
+
+    forAll(loads_, i)
+    {
+        const mpm::WallLoad& load = run.wallLoads()[i];
+        const vector change(impulse[i] - lastImpulse_[i]);
+        DynamicList<string> row;
+
+        for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
+        {
+            row.append
+            (
+                interval > 0 ? timeTable::text(change[cmpt]/interval) : string()
+            );
+        }
+        for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
+        {
+            row.append(timeTable::text(impulse[i][cmpt]));
+        }
+        row.append(timeTable::text(load.maxForce));
+        row.append(timeTable::text(load.maxForceTime));
+        loads_[i].set(d.time, stringList(row));
+    }
+
+    lastImpulse_ = impulse;
+    lastTime_ = d.time;
+
+
     runout_.set
     (
         d.time,
@@ -256,6 +329,10 @@ void Foam::slideRecord::write(const mpm::Run& run)
     if (!energy_.empty())
     {
         energy_.write();
+    }
+    forAll(loads_, i)
+    {
+        loads_[i].write();
     }
 
     pointSetWriters::vtpPointSetWriter().write

@@ -22,7 +22,9 @@ License
 
 #include "slideWall.H"
 #include "mpmChecked.H"
+#include "OSspecific.H"
 #include "readChecked.H"
+#include "slidePoints.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -35,7 +37,22 @@ namespace Foam
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
-mpm::WallSettings Foam::slideWall::settings(const word& engineType) const
+void Foam::slideWall::checkWallKeys(const wordList& own) const
+{
+    wordList keys(own);
+    keys.append
+    (
+        wordList({"type", "condition", "friction", "adhesion", "force"})
+    );
+    checkKeys(dict_, keys);
+}
+
+
+mpm::WallSettings Foam::slideWall::settings
+(
+    const word& engineType,
+    const bool writesForce
+) const
 {
     mpm::WallSettings wall;
 
@@ -50,6 +67,18 @@ mpm::WallSettings Foam::slideWall::settings(const word& engineType) const
         [](const scalar x){ return x >= 0; },
         ">= 0, the tangent of an angle"
     );
+    wall.adhesion = readCheckedOrDefault
+    (
+        dict_,
+        "adhesion",
+        wall.adhesion,
+        [&](const scalar x)
+        {
+            return x == 0 || (x > 0 && wall.condition == "coulomb");
+        },
+        ">= 0 Pa, and 0 unless the condition is coulomb"
+    );
+    wall.recordsLoad = dict_.getOrDefault("force", writesForce);
 
     if (wall.condition == "coulomb" && !dict_.found("friction"))
     {
@@ -71,6 +100,70 @@ void Foam::slideWall::requireMesh(const fvMesh* meshPtr) const
             << "A wall of type " << type() << " is taken from a mesh, but this"
             << " slide has none: its points come from a file"
             << exit(FatalIOError);
+    }
+}
+
+
+Foam::fileName Foam::slideWall::caseFile(const word& key) const
+{
+    fileName file(dict_.get<fileName>(key));
+    file.expand();
+
+    return
+        file.isAbsolute() ? file : fileName(getEnv("FOAM_CASE"))/file;
+}
+
+
+void Foam::slideWall::refusePointsInside
+(
+    const slidePoints& points,
+    const std::function<double(const mpm::Point3&)>& distance
+) const
+{
+    // What a point may lie in a body of the volume around it
+    const scalar depth = 0.25*points.spacing();
+
+    label nInside = 0;
+    label first = -1;
+    forAll(points.position(), i)
+    {
+        if (distance(toMpm(points.position()[i])) < -depth)
+        {
+            first = nInside++ ? first : i;
+        }
+    }
+
+    if (nInside)
+    {
+        FatalIOErrorInFunction(dict_)
+            << nInside << " of the " << points.size() << " points lie inside"
+            << " of the wall " << name_ << ", for instance point " << first
+            << " at " << points.position()[first]
+            << ": a body must stand clear of the soil at the start"
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::slideWall::warnOfThin
+(
+    const slidePoints& points,
+    const vector& extent
+) const
+{
+    const scalar least = 2*points.cellSize();
+
+    for (direction cmpt = 0; cmpt < points.frame().dimension(); ++cmpt)
+    {
+        if (extent[cmpt] < least)
+        {
+            IOWarningInFunction(dict_)
+                << "The wall " << name_ << " is " << extent[cmpt]
+                << " m thick. Soil on its two sides shares nodes of the grid"
+                << " and may stick together unless it is at least two cells, "
+                << least << " m" << endl;
+            return;
+        }
     }
 }
 

@@ -22,7 +22,6 @@ License
 
 #include "domainSidesSlideWall.H"
 #include "addToRunTimeSelectionTable.H"
-#include "mpmChecked.H"
 #include "slidePoints.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -58,7 +57,7 @@ void Foam::slideWalls::domainSidesSlideWall::append
     const fvMesh*
 ) const
 {
-    checkKeys(dict(), {"type", "condition", "friction"});
+    checkWallKeys({});
 
     const label dimension = points.frame().dimension();
     const scalar margin = 0.5*points.spacing();

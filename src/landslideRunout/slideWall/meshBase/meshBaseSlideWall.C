@@ -24,7 +24,6 @@ License
 #include "addToRunTimeSelectionTable.H"
 #include "fvMesh.H"
 #include "meshTerrain.H"
-#include "mpmChecked.H"
 #include "slidePoints.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -60,7 +59,7 @@ void Foam::slideWalls::meshBaseSlideWall::append
     const fvMesh* meshPtr
 ) const
 {
-    checkKeys(dict(), {"type", "condition", "friction"});
+    checkWallKeys({});
     requireMesh(meshPtr);
 
     walls.push_back(settings("terrain"));

@@ -22,7 +22,6 @@ License
 
 #include "planeSlideWall.H"
 #include "addToRunTimeSelectionTable.H"
-#include "mpmChecked.H"
 #include "slidePoints.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -58,7 +57,7 @@ void Foam::slideWalls::planeSlideWall::append
     const fvMesh*
 ) const
 {
-    checkKeys(dict(), {"type", "point", "normal", "condition", "friction"});
+    checkWallKeys({"point", "normal"});
 
     mpm::WallSettings wall(settings("plane"));
 

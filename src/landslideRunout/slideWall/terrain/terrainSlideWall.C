@@ -22,8 +22,9 @@ License
 
 #include "terrainSlideWall.H"
 #include "addToRunTimeSelectionTable.H"
-#include "mpmChecked.H"
+#include "readChecked.H"
 #include "slidePoints.H"
+#include "wallSurface.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -58,15 +59,28 @@ void Foam::slideWalls::terrainSlideWall::append
     const fvMesh*
 ) const
 {
-    checkKeys
-    (
-        dict(),
-        {"type", "vertices", "triangles", "condition", "friction"}
-    );
+    checkWallKeys({"vertices", "triangles", "file", "scale"});
 
     mpm::WallSettings wall(settings("terrain"));
 
     const slideFrame& frame = points.frame();
+
+    if (dict().found("file"))
+    {
+        const scalar scale = readCheckedOrDefault
+        (
+            dict(),
+            "scale",
+            1,
+            [](const scalar x){ return x > 0; },
+            "> 0 m"
+        );
+
+        wallSurface(dict(), caseFile("file"), scale).fillTerrain(wall, frame);
+        walls.push_back(wall);
+        return;
+    }
+
     const pointField vertices(frame.readPoints(dict(), "vertices"));
 
     for (const point& p : vertices)

@@ -24,7 +24,6 @@ License
 #include "addToRunTimeSelectionTable.H"
 #include "fvMesh.H"
 #include "meshTerrain.H"
-#include "mpmChecked.H"
 #include "slidePoints.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -60,7 +59,7 @@ void Foam::slideWalls::zoneTopSlideWall::append
     const fvMesh* meshPtr
 ) const
 {
-    checkKeys(dict(), {"type", "zones", "condition", "friction"});
+    checkWallKeys({"zones"});
     requireMesh(meshPtr);
 
     const wordList zones(dict().get<wordList>("zones"));
