@@ -31,12 +31,13 @@ template<int Dim>
 void mpm::FusedCycle<Dim>::scatterPatches
 (
     State<Dim>& state,
-    const double deltaT
+    const double deltaT,
+    const double recordedShare
 )
 {
     state.forBlocks
     (
-        [&state, deltaT](const std::size_t b)
+        [&state, deltaT, recordedShare](const std::size_t b)
         {
             if (!state.grid[b].points.empty())
             {
@@ -48,7 +49,7 @@ void mpm::FusedCycle<Dim>::scatterPatches
                     deltaT,
                     state.grid.patchOf(b)
                 );
-                foldPatch(state, b, 1, true);
+                foldPatch(state, b, recordedShare, true);
             }
         }
     );
@@ -65,7 +66,7 @@ void mpm::FusedCycle<Dim>::step(State<Dim>& state, const double deltaT)
     {
         report.reset();
     }
-    scatterPatches(state, deltaT);
+    scatterPatches(state, deltaT, 1);
 
     Vector<Dim> dv;
     for (int d = 0; d < Dim; ++d)
@@ -115,7 +116,7 @@ void mpm::FusedCycle<Dim>::step(State<Dim>& state, const double deltaT)
 template<int Dim>
 void mpm::FusedCycle<Dim>::scatter(State<Dim>& state, const double deltaT)
 {
-    scatterPatches(state, deltaT);
+    scatterPatches(state, deltaT, 0);
     state.forBlocks
     (
         [&state](const std::size_t b)

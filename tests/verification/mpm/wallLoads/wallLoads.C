@@ -238,6 +238,9 @@ void account
     s.transferScheme = transfer;
     s.stressUpdate = update;
 
+    // It scatters once more each step, which no load may notice
+    s.energyAccount = !space;
+
     mpm::PointData points = filled
     (
         dimension, h, {{0, 0, 0}}, {{1, 1, space ? 1.0 : 0}}
