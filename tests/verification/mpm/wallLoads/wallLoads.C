@@ -239,7 +239,7 @@ void account
     s.stressUpdate = update;
 
     // It scatters once more each step, which no load may notice
-    s.energyAccount = !space;
+    s.energyAccount = !space && update == "USL";
 
     mpm::PointData points = filled
     (
