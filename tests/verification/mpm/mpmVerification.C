@@ -60,7 +60,8 @@ int main(int argc, char* argv[])
         {"griffithsLane", griffithsLane},
         {"waterTableInside", waterTableInside},
         {"verticalCut", verticalCut},
-        {"energyAccount", energyAccount}
+        {"energyAccount", energyAccount},
+        {"hoopStrain", hoopStrain}
     };
 
     const auto chosen = cases.find(argc > 1 ? argv[1] : "");
