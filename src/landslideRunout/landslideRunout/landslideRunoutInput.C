@@ -189,8 +189,8 @@ mpm::Settings Foam::landslideRunout::settings(const slidePoints& points) const
             "symmetry", "shapeFunction", "transferScheme", "stressUpdate",
             "antiLocking", "flipTime", "flipBlend", "xpicOrder", "cfl",
             "maxDeltaT", "sortInterval", "threads", "maxImbalance",
-            "massCutOff", "movedDistance", "restVelocity", "frontDirection",
-            "energyAccount"
+            "massCutOff", "movedDistance", "restVelocity", "sleepVelocity",
+            "sleepDelay", "frontDirection", "energyAccount"
         }
     );
 
@@ -228,6 +228,8 @@ mpm::Settings Foam::landslideRunout::settings(const slidePoints& points) const
     dict.readIfPresent("movedDistance", s.movedDistance);
     dict.readIfPresent("restVelocity", s.restVelocity);
     s.energyAccount = dict.getOrDefault<Switch>("energyAccount", false);
+    dict.readIfPresent("sleepVelocity", s.sleepVelocity);
+    dict.readIfPresent("sleepDelay", s.sleepDelay);
 
     if (dict.found("frontDirection"))
     {

@@ -200,9 +200,18 @@ Foam::landslideRunout::outcome Foam::landslideRunout::slide
 
     Info<< "    " << label(run->stepNumber()) << " steps to "
         << run->time() << " s of sliding"
-        << (state.atRest() ? ", at rest" : "") << nl
+        << (state.atRest() ? ", at rest" : "") << nl;
+
+    if (state.atRest())
+    {
+        Info<< "        the largest displacement would change by no more than "
+            << state.missed() << " m" << nl;
+    }
+
+    Info
         << "        largest plastic strain " << d.maxPlasticStrain
-        << ", moved points " << label(d.movedPoints) << nl
+        << ", moved points " << label(d.movedPoints)
+        << ", asleep " << label(d.sleepingPoints) << nl
         << "        put back: " << label(d.clampedByWalls)
         << " times by walls, " << label(d.clampedByGrid)
         << " times by the grid's largest extent" << nl;

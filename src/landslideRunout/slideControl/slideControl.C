@@ -167,6 +167,21 @@ bool Foam::slideControl::looksForRest(const scalar timeSinceLast) const
 }
 
 
+Foam::scalar Foam::slideControl::missedDisplacement
+(
+    const scalar time,
+    const scalar change,
+    const scalar energyBefore,
+    const scalar energy
+) const
+{
+    return
+        energy > energyBefore
+      ? GREAT
+      : change*max(scalar(0), endTime_ - time)/restDuration_;
+}
+
+
 Foam::scalar Foam::slideControl::rowTime(const label n) const
 {
     return min(n*writeInterval_, endTime_);

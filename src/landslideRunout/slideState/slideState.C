@@ -109,7 +109,11 @@ Foam::slideState::slideState
     digest_(digest),
     row_(0),
     lookTime_(0),
-    lookDisplacement_(0),
+    lowest_(0),
+    highest_(0),
+    lookEnergy_(0),
+    energy_(0),
+    missed_(GREAT),
     atRest_(false)
 {}
 
@@ -142,7 +146,11 @@ bool Foam::slideState::restore
             {
                 found = time;
                 lookTime_ = dict.get<scalar>("lookTime");
-                lookDisplacement_ = dict.get<scalar>("lookDisplacement");
+                lowest_ = dict.get<scalar>("lowest");
+                highest_ = dict.get<scalar>("highest");
+                lookEnergy_ = dict.get<scalar>("lookEnergy");
+                energy_ = dict.get<scalar>("energy");
+                missed_ = dict.get<scalar>("missed");
                 atRest_ = dict.get<bool>("atRest");
                 break;
             }
@@ -156,7 +164,11 @@ bool Foam::slideState::restore
     }
 
     Pstream::scatter(lookTime_);
-    Pstream::scatter(lookDisplacement_);
+    Pstream::scatter(lowest_);
+    Pstream::scatter(highest_);
+    Pstream::scatter(lookEnergy_);
+    Pstream::scatter(energy_);
+    Pstream::scatter(missed_);
     Pstream::scatter(atRest_);
 
     std::ifstream runStream;
@@ -178,16 +190,25 @@ void Foam::slideState::lookForRest
     const scalar leastDisplacement
 )
 {
+    energy_ = max(energy_, scalar(now.kineticEnergy));
+    lowest_ = min(lowest_, scalar(now.maxDisplacement));
+    highest_ = max(highest_, scalar(now.maxDisplacement));
+
     if (control.looksForRest(now.time - lookTime_))
     {
-        atRest_ = control.atRest
+        missed_ = control.missedDisplacement
         (
-            lookDisplacement_,
-            now.maxDisplacement,
-            leastDisplacement
+            now.time,
+            highest_ - lowest_,
+            lookEnergy_,
+            energy_
         );
+        atRest_ =
+            control.atRest(missed_, now.maxDisplacement, leastDisplacement);
+        lookEnergy_ = energy_;
+        energy_ = 0;
         lookTime_ = now.time;
-        lookDisplacement_ = now.maxDisplacement;
+        lowest_ = highest_ = now.maxDisplacement;
     }
 }
 
@@ -230,7 +251,11 @@ void Foam::slideState::save(const mpm::Run& run) const
 
         os.writeEntry("digest", digest_);
         os.writeEntry("lookTime", lookTime_);
-        os.writeEntry("lookDisplacement", lookDisplacement_);
+        os.writeEntry("lowest", lowest_);
+        os.writeEntry("highest", highest_);
+        os.writeEntry("lookEnergy", lookEnergy_);
+        os.writeEntry("energy", energy_);
+        os.writeEntry("missed", missed_);
         os.writeEntry("atRest", atRest_);
     }
 

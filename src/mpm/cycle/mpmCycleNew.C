@@ -21,7 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "mpmFusedCycle.H"
-#include "mpmGenericCycle.H"
+#include "mpmLinearFlipCycle.H"
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 
@@ -40,6 +40,16 @@ std::unique_ptr<mpm::Cycle<Dim>> mpm::Cycle<Dim>::New
     )
     {
         return std::make_unique<FusedCycle<Dim>>(settings);
+    }
+    if
+    (
+        settings.shapeFunction == "linear"
+     && settings.transferScheme == "FLIP"
+     && settings.stressUpdate == "USF"
+     && !settings.axisymmetric()
+    )
+    {
+        return std::make_unique<LinearFlipCycle<Dim>>(settings);
     }
     return NewGeneric(settings);
 }

@@ -24,6 +24,7 @@ License
 #include "mpmG2P.H"
 #include "mpmGridUpdate.H"
 #include "mpmP2G.H"
+#include "mpmSleep.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -39,18 +40,33 @@ void mpm::FusedCycle<Dim>::scatterPatches
     (
         [&state, deltaT, recordedShare](const std::size_t b)
         {
-            if (!state.grid[b].points.empty())
+            const auto scatterFor = [&state, b](const double time)
             {
                 scatterAPIC
                 (
                     state.cloud,
                     state.grid,
                     state.grid[b],
-                    deltaT,
+                    time,
                     state.grid.patchOf(b)
                 );
-                foldPatch(state, b, recordedShare, true);
+            };
+            if (state.grid[b].rest.asleep)
+            {
+                scatterAsleep
+                (
+                    state.grid, b, true, deltaT, [&]() { scatterFor(1); }
+                );
             }
+            else if (!state.grid[b].points.empty())
+            {
+                scatterFor(deltaT);
+            }
+            else
+            {
+                return;
+            }
+            foldPatch(state, b, recordedShare, true);
         }
     );
     state.completePatches();
@@ -108,6 +124,7 @@ void mpm::FusedCycle<Dim>::step(State<Dim>& state, const double deltaT)
         [&state, &stress, deltaT](const std::size_t b)
         {
             gatherAPIC(state, b, stress, deltaT);
+            watch<Dim, reach>(state, b, deltaT);
         }
     );
 }

@@ -22,6 +22,7 @@ License
 
 #include "mpmGenericCycle.H"
 #include "mpmGridUpdate.H"
+#include "mpmSleep.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -195,8 +196,8 @@ void mpm::GenericCycle<Dim, Shape>::filter(State<Dim>& state)
 template<int Dim, class Shape>
 mpm::GenericCycle<Dim, Shape>::GenericCycle(const Settings& settings)
 :
-    scheme_(settings),
-    average_(VolumeAverage<Dim, reach>::New(settings))
+    average_(VolumeAverage<Dim, reach>::New(settings)),
+    scheme_(settings)
 {}
 
 
@@ -276,6 +277,7 @@ void mpm::GenericCycle<Dim, Shape>::step
             [&](Index b) { updateAndMove(state, b, stress, deltaT); }
         );
     }
+    state.forBlocks([&](Index b) { watch<Dim, reach>(state, b, deltaT); });
 }
 
 

@@ -22,6 +22,7 @@ License
 
 #include "mpmGenericCycle.H"
 #include "mpmGridUpdate.H"
+#include "mpmSleep.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -422,20 +423,14 @@ inline bool move
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<int Dim, class Shape>
-void mpm::GenericCycle<Dim, Shape>::scatterPoints
+void mpm::GenericCycle<Dim, Shape>::addPoints
 (
     State<Dim>& state,
     const std::size_t b,
     const bool momentum,
-    const double impulseTime,
-    const double recordedShare
+    const double impulseTime
 ) const
 {
-    const Block& block = state.grid[b];
-    if (block.points.empty())
-    {
-        return;
-    }
     Node* patch = state.grid.patchOf(b);
     std::fill_n(patch, nPatchNodes, Node{});
 
@@ -444,7 +439,7 @@ void mpm::GenericCycle<Dim, Shape>::scatterPoints
     forBatches<Dim, Shape>
     (
         state,
-        block,
+        state.grid[b],
         scheme_.affine(),
         [&](const Batch<Dim, Shape>& batch)
         {
@@ -463,6 +458,36 @@ void mpm::GenericCycle<Dim, Shape>::scatterPoints
             }
         }
     );
+}
+
+
+template<int Dim, class Shape>
+void mpm::GenericCycle<Dim, Shape>::scatterPoints
+(
+    State<Dim>& state,
+    const std::size_t b,
+    const bool momentum,
+    const double impulseTime,
+    const double recordedShare
+) const
+{
+    const Block& block = state.grid[b];
+    if (block.points.empty())
+    {
+        return;
+    }
+    if (block.rest.asleep)
+    {
+        scatterAsleep
+        (
+            state.grid, b, momentum, impulseTime,
+            [&]() { addPoints(state, b, true, 1); }
+        );
+    }
+    else
+    {
+        addPoints(state, b, momentum, impulseTime);
+    }
     foldPatch(state, b, recordedShare, momentum);
 }
 
@@ -479,6 +504,11 @@ void mpm::GenericCycle<Dim, Shape>::updateAndScatter
     const Block& block = state.grid[b];
     if (block.points.empty())
     {
+        return;
+    }
+    if (block.rest.asleep)
+    {
+        scatterPoints(state, b, false, deltaT, 1);
         return;
     }
     alignas(64) Node velocity[nPatchNodes];
@@ -521,8 +551,9 @@ void mpm::GenericCycle<Dim, Shape>::gather
 ) const
 {
     Block& block = state.grid[b];
-    if (block.points.empty())
+    if (block.points.empty() || block.rest.asleep)
     {
+        state.reports[b].wave2 = block.rest.wave2;
         return;
     }
     alignas(64) Node after[nPatchNodes];
@@ -630,8 +661,9 @@ void mpm::GenericCycle<Dim, Shape>::updateAndMove
 ) const
 {
     Block& block = state.grid[b];
-    if (block.points.empty())
+    if (block.points.empty() || block.rest.asleep)
     {
+        state.reports[b].wave2 = block.rest.wave2;
         return;
     }
     alignas(64) Node mapped[nPatchNodes];
@@ -721,6 +753,13 @@ void mpm::GenericCycle<Dim, Shape>::smooth
 // * * * * * * * * * * * * * Explicit Instantiations * * * * * * * * * * * * //
 
 #define instantiate(Dim, Shape)                                                \
+    template void mpm::GenericCycle<Dim, mpm::Shape>::addPoints                \
+    (                                                                          \
+        State<Dim>&,                                                           \
+        std::size_t,                                                           \
+        bool,                                                                  \
+        double                                                                 \
+    ) const;                                                                   \
     template void mpm::GenericCycle<Dim, mpm::Shape>::scatterPoints            \
     (                                                                          \
         State<Dim>&,                                                           \

@@ -41,7 +41,10 @@ void mpm::balance(State<Dim>& state)
     {
         if (!grid[b].points.empty())
         {
-            const double work = workOf(grid[b].points.size());
+            const double work = workOf
+            (
+                grid[b].rest.asleep ? 0 : grid[b].points.size()
+            );
             weights.push_back({hilbertKey<Dim>(grid[b].at), work});
             largest[0] += work;
         }
@@ -65,12 +68,18 @@ void mpm::balance(State<Dim>& state)
     }
     ++state.rebalances;
 
+    // What blocks know of their rest goes with them
+    std::vector<Buffer> rests(communicator.size());
     Migration<Dim> migration(state);
     for (std::size_t b = 0; b < grid.size(); ++b)
     {
         auto& block = grid[b];
-        if (state.partition.owner(block.at) != communicator.rank())
+        const int owner = state.partition.owner(block.at);
+        if (owner != communicator.rank() && !block.points.empty())
         {
+            append(rests[owner], &block.at, 1);
+            append(rests[owner], &block.rest, 1);
+            block.wake();
             for (const std::int32_t p : block.points)
             {
                 migration.add(p, block.at);
@@ -80,6 +89,15 @@ void mpm::balance(State<Dim>& state)
     }
     migration.send(Migration<Dim>::anywhere);
     migration.settleInOrder();
+    for (const Buffer& buffer : communicator.allToAll(rests))
+    {
+        for (std::size_t at = 0; at < buffer.size();)
+        {
+            typename BlockGrid<Dim>::Coordinates place;
+            take(buffer, at, &place, 1);
+            take(buffer, at, &grid[grid.find(place)].rest, 1);
+        }
+    }
 }
 
 

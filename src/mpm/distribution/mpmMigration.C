@@ -305,6 +305,7 @@ void mpm::Migration<Dim>::settleInOrder()
             b = state_.grid.find(t.to);
         }
         state_.grid[b].points.push_back(t.point);
+        state_.grid[b].wake();
     }
     here_.clear();
     state_.reports.resize(state_.grid.size());

@@ -22,11 +22,7 @@ License
 
 #include "mpmG2P.H"
 #include "mpmGridUpdate.H"
-#include "mpmMovePoint.H"
-#include "mpmShapeBatch.H"
-#include "mpmTranspose.H"
-
-#include <cstring>
+#include "mpmMoveBatch.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -37,12 +33,6 @@ namespace
 
 typedef ShapeBatch<2, QuadraticBSpline> Batch2;
 typedef ShapeBatch<3, QuadraticBSpline> Batch3;
-
-
-inline Node all(const double a)
-{
-    return Node{a, a, a, a};
-}
 
 
 //- Sums of weight x velocity, and of weight x distance (cells) x velocity for
@@ -116,97 +106,6 @@ inline void received
     sums[3] = all(perMoment)*vz;
 }
 
-
-//- Components of entry c of the sums of the points of a batch
-template<int Dim>
-inline void columns(const Node (*sums)[Dim + 1], const int c, Lanes* entries)
-{
-    const double* rows[laneCount];
-    for (int l = 0; l < laneCount; ++l)
-    {
-        rows[l] = reinterpret_cast<const double*>(&sums[l][c]);
-    }
-    Lanes all[4];
-    loadColumns(rows, all);
-    for (int d = 0; d < Dim; ++d)
-    {
-        entries[d] = all[d];
-    }
-}
-
-
-//- Numbers of a point from a node
-template<int Dim>
-inline void copy(const Node& node, double* to)
-{
-    std::memcpy(to, &node, Dim*sizeof(double));
-}
-
-
-//- Add the components of a node
-template<int Dim>
-inline void add(const Node& node, double* to)
-{
-    typedef double Two __attribute__((vector_size(16)));
-
-    Two sum;
-    std::memcpy(&sum, to, sizeof(sum));
-    sum += Two{node[0], node[1]};
-    std::memcpy(to, &sum, sizeof(sum));
-    if constexpr (Dim == 3)
-    {
-        to[2] += node[2];
-    }
-}
-
-
-//- Whether a point of the batch may be behind a wall of the block
-template<int Dim>
-inline bool mayTouch
-(
-    const State<Dim>& state,
-    const typename BlockGrid<Dim>::Block& block,
-    const Eight* place
-)
-{
-    const double h = state.grid.cellSize();
-    const Vector<Dim> corner = state.grid.position(block, {});
-    for (const std::int32_t w : block.walls)
-    {
-        const Wall<Dim>& wall = state.walls[w];
-        Vector<Dim> normal;
-        if (!wall.isPlane())
-        {
-            return true;
-        }
-        const double atCorner = wall.distance(corner, normal);
-        Eight distance = Eight{} + atCorner;
-        for (int d = 0; d < Dim; ++d)
-        {
-            distance += h*normal[d]*place[d];
-        }
-
-        // What rounds differently is looked at closer
-        constexpr double close = 1e-6;
-        if (any(Lanes(distance) < Lanes(close*h)))
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-
-inline double largest(const Lanes& a)
-{
-    double m = a[0];
-    for (int l = 1; l < laneCount; ++l)
-    {
-        m = std::max(m, a[l]);
-    }
-    return m;
-}
-
 } // End anonymous namespace
 } // End namespace mpm
 
@@ -225,8 +124,9 @@ void mpm::gatherAPIC
     BlockReport<Dim>& report = state.reports[b];
     auto& block = state.grid[b];
     const std::size_t n = block.points.size();
-    if (n == 0)
+    if (n == 0 || block.rest.asleep)
     {
+        report.wave2 = block.rest.wave2;
         return;
     }
 
@@ -237,11 +137,8 @@ void mpm::gatherAPIC
 
     recordMirrors(state, b, patch, 1);
 
-    constexpr double shift = QuadraticBSpline::shift;
-    constexpr double end = BlockGrid<Dim>::edge + shift;
     const double perMoment = 4/state.grid.cellSize();
     const double cells = deltaT/state.grid.cellSize();
-    const bool open = block.walls.empty();
 
     Batch batch;
     Node sums[Batch::size][Dim + 1];
@@ -265,35 +162,23 @@ void mpm::gatherAPIC
         }
 
         Lanes velocity[Dim], gradient[Dim*Dim];
-        columns<Dim>(sums, 0, velocity);
+        columns<Dim, Dim + 1>(sums[0], velocity);
         for (int c = 0; c < Dim; ++c)
         {
-            columns<Dim>(sums, c + 1, gradient + c*Dim);
+            columns<Dim, Dim + 1>(sums[0] + c + 1, gradient + c*Dim);
         }
         const Lanes speeds =
             stressUpdate.update(cloud, batch.point, batch.count, gradient);
         wave2 = maxOf(wave2, speeds);
 
-        // Neither zero or less, nor not a number
-        if (any(LaneMask{~(speeds > Lanes(0.0)).bits}))
-        {
-            for (int l = 0; l < laneCount; ++l)
-            {
-                report.broken = speeds[l] > 0 ? report.broken : batch.point[l];
-            }
-        }
+        findBroken(speeds, batch.point, report);
 
-        Eight place[Dim];
         Lanes square(0.0);
-        LaneMask leaves{};
-        for (int d = 0; d < Dim; ++d)
+        for (const Lanes& component : velocity)
         {
-            place[d] = batch.local[d] + cells*velocity[d].v;
-            square += velocity[d]*velocity[d];
-            leaves.bits |= ~((place[d] >= shift) & (place[d] < end));
+            square += component*component;
         }
         speed2 = maxOf(speed2, square);
-        const bool near = !open && mayTouch(state, block, place);
 
         for (int l = 0; l < batch.count; ++l)
         {
@@ -310,29 +195,7 @@ void mpm::gatherAPIC
             kinetic += mass[p]*square[l];
         }
 
-        if (!near && !any(leaves))
-        {
-            // Lists of blocks that no point leaves stay as they are
-            if (kept != i)
-            {
-                std::copy_n(batch.point, batch.count, list + kept);
-            }
-            kept += batch.count;
-            continue;
-        }
-        for (int l = 0; l < batch.count; ++l)
-        {
-            const std::int32_t p = batch.point[l];
-            const bool moved = near && project(state, block, p, report);
-            if
-            (
-                (!moved && !leaves.bits[l])
-             || belongs<Dim, QuadraticBSpline>(state, block, p, report)
-            )
-            {
-                list[kept++] = p;
-            }
-        }
+        kept = keepInBlock(state, block, batch, velocity, cells, kept, report);
     }
     block.points.resize(kept);
 

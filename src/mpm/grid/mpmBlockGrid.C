@@ -96,6 +96,7 @@ std::int32_t mpm::BlockGrid<Dim>::add
             blocks_[mine].wallNodes.swap(old.wallNodes);
             blocks_[mine].mirrors.swap(old.mirrors);
             blocks_[mine].mirrored.swap(old.mirrored);
+            blocks_[mine].rest = old.rest;
         }
         else
         {
@@ -450,7 +451,9 @@ std::size_t mpm::BlockGrid<Dim>::bytes() const
           + block.walls.capacity()*sizeof(std::int32_t)
           + block.wallNodes.capacity()*sizeof(WallNode)
           + block.mirrors.capacity()*sizeof(Mirror)
-          + block.mirrored.capacity()*sizeof(double);
+          + block.mirrored.capacity()*sizeof(double)
+
+          + block.still.capacity()*sizeof(Node);
     }
     return sum;
 }
@@ -463,6 +466,7 @@ void mpm::BlockGrid<Dim>::write(std::ostream& os) const
     for (const Block& block : blocks_)
     {
         writeBinary(os, block.at);
+        writeBinary(os, block.rest);
         writeBinary(os, block.points);
     }
 }
@@ -478,7 +482,9 @@ void mpm::BlockGrid<Dim>::read(std::istream& is)
     {
         Coordinates at;
         readBinary(is, at);
-        readBinary(is, blocks_[add(at, nullptr)].points);
+        Block& block = blocks_[add(at, nullptr)];
+        readBinary(is, block.rest);
+        readBinary(is, block.points);
     }
 }
 

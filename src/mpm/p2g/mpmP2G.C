@@ -20,10 +20,9 @@ License
 
 \*---------------------------------------------------------------------------*/
 
+#include "mpmNode.H"
 #include "mpmP2G.H"
 #include "mpmShapeBatch.H"
-
-#include <cstring>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -42,33 +41,6 @@ struct Sent
     Node value;
     Node slope[Dim];
 };
-
-
-inline Node all(const double a)
-{
-    return Node{a, a, a, a};
-}
-
-
-//- Two or four numbers of an array, of any alignment
-inline Node two(const double* from)
-{
-    typedef double Two __attribute__((vector_size(16)));
-    Two t;
-    std::memcpy(&t, from, sizeof(t));
-    return Node{t[0], t[1], 0, 0};
-}
-
-
-inline Node four(const double* from)
-{
-    Node n;
-    std::memcpy(&n, from, sizeof(n));
-    return n;
-}
-
-
-typedef long long Pick __attribute__((vector_size(32)));
 
 
 inline Sent<2> sent
@@ -92,7 +64,7 @@ inline Sent<2> sent
     const Node none{};
     return
     {
-        all(m)*(two(cloud.v[p].data()) + Node{0, 0, 0, 1}),
+        all(m)*(nodeOf(cloud.v[p]) + Node{0, 0, 0, 1}),
         {
             __builtin_shuffle(slopes, none, Pick{0, 1, 4, 4}),
             __builtin_shuffle(slopes, none, Pick{2, 3, 4, 4})
@@ -117,14 +89,13 @@ inline Sent<3> sent
 
     // sigma is xx yy zz xy yz zx
     const double* C = cloud.C[p].data();
-    const double* v = cloud.v[p].data();
     const Node first = four(cloud.sigma[p].data());
     const Node last = four(cloud.sigma[p].data() + 2);
     const Node end = four(C + 5);
 
     return
     {
-        all(m)*(two(v) + Node{0, 0, v[2], 1}),
+        all(m)*(nodeOf(cloud.v[p]) + Node{0, 0, 0, 1}),
         {
             hm*four(C)
           - k*__builtin_shuffle(first, last, Pick{0, 3, 7, 7}),

@@ -184,6 +184,12 @@ void mpm::Settings::validate(const int dimension) const
     );
     require(movedDistance >= 0, "movedDistance", movedDistance, ">= 0 [m]");
     require(restVelocity >= 0, "restVelocity", restVelocity, ">= 0 [m/s]");
+    require
+    (
+        sleepVelocity >= 0 && std::isfinite(sleepVelocity),
+        "sleepVelocity", sleepVelocity, ">= 0 [m/s], 0: nothing sleeps"
+    );
+    require(sleepDelay > 0, "sleepDelay", sleepDelay, "> 0 [s]");
 }
 
 

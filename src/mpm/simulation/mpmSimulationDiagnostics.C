@@ -195,8 +195,8 @@ mpm::Diagnostics mpm::Simulation<Dim>::diagnostics() const
 
     enum
     {
-        active, yielding, movedPoints, byWalls, byGrid, blocks, bytes, idle,
-        nSums
+        active, yielding, movedPoints, sleeping, byWalls, byGrid, blocks,
+        bytes, idle, nSums
     };
     std::vector<std::int64_t> sums(nSums, 0);
     sums[byWalls] = clock_.clampedByWalls;
@@ -204,6 +204,11 @@ mpm::Diagnostics mpm::Simulation<Dim>::diagnostics() const
     sums[blocks] = state_.grid.size();
     sums[bytes] = cloud.bytes() + state_.grid.bytes() + cycle_->bytes();
     sums[idle] = n == 0;
+    for (std::size_t b = 0; b < state_.grid.size(); ++b)
+    {
+        const auto& block = state_.grid[b];
+        sums[sleeping] += block.rest.asleep ? block.points.size() : 0;
+    }
 
     std::vector<double> fronts;
     for (std::size_t i = 0; i < n; ++i)
@@ -237,6 +242,7 @@ mpm::Diagnostics mpm::Simulation<Dim>::diagnostics() const
     result.activePoints = sums[active];
     result.yieldingPoints = sums[yielding];
     result.movedPoints = sums[movedPoints];
+    result.sleepingPoints = sums[sleeping];
     result.clampedByWalls = sums[byWalls];
     result.clampedByGrid = sums[byGrid];
     result.activeBlocks = sums[blocks];

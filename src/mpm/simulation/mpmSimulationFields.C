@@ -22,6 +22,7 @@ License
 
 #include "mpmNames.H"
 #include "mpmSimulation.H"
+#include "mpmSleep.H"
 
 #include <algorithm>
 #include <stdexcept>
@@ -220,6 +221,8 @@ void mpm::Simulation<Dim>::setField
     {
         require(std::isfinite(value), name, value, "finite");
     }
+
+    wakeAll(state_);
 
     const auto scalars = [&](std::vector<double>& target)
     {

@@ -95,6 +95,7 @@ void mpm::Simulation<Dim>::writeBlocks
         const auto& block = state_.grid[b];
         const std::uint64_t n = block.points.size();
         append(mine, &block.at, 1);
+        append(mine, &block.rest, 1);
         append(mine, &n, 1);
     }
 
@@ -202,6 +203,7 @@ template<int Dim>
 std::vector<std::size_t> mpm::Simulation<Dim>::readBlocks(std::istream& is)
 {
     typedef typename BlockGrid<Dim>::Coordinates Coordinates;
+    typedef typename BlockGrid<Dim>::Rest Rest;
 
     Communicator& communicator = *state_.communicator;
     std::vector<char> bytes;
@@ -217,17 +219,24 @@ std::vector<std::size_t> mpm::Simulation<Dim>::readBlocks(std::istream& is)
     );
 
     std::vector<Coordinates> places;
+    std::vector<Rest> rests;
     std::vector<std::uint64_t> sizes;
     std::vector<Partition::Weight> weights;
     for (std::size_t at = 0; at < bytes.size();)
     {
         Coordinates place;
+        Rest rest;
         std::uint64_t n = 0;
         take(bytes, at, &place, 1);
+        take(bytes, at, &rest, 1);
         take(bytes, at, &n, 1);
         places.push_back(place);
+        rests.push_back(rest);
         sizes.push_back(n);
-        weights.push_back({hilbertKey<Dim>(place), workOf(n)});
+        weights.push_back
+        (
+            {hilbertKey<Dim>(place), workOf(rest.asleep ? 0 : n)}
+        );
     }
     state_.partition.cut(communicator, weights);
 
@@ -237,6 +246,7 @@ std::vector<std::size_t> mpm::Simulation<Dim>::readBlocks(std::istream& is)
     {
         const int owner = state_.partition.owner(places[i]);
         append(sent[owner], &places[i], 1);
+        append(sent[owner], &rests[i], 1);
         append(sent[owner], &sizes[i], 1);
         shares[owner] += sizes[i];
     }
@@ -247,12 +257,15 @@ std::vector<std::size_t> mpm::Simulation<Dim>::readBlocks(std::istream& is)
     for (std::size_t at = 0; at < mine.size();)
     {
         Coordinates place;
+        Rest rest;
         std::uint64_t n = 0;
         take(mine, at, &place, 1);
+        take(mine, at, &rest, 1);
         take(mine, at, &n, 1);
-        auto& points = state_.grid[state_.grid.find(place)].points;
-        points.resize(n);
-        std::iota(points.begin(), points.end(), next);
+        auto& block = state_.grid[state_.grid.find(place)];
+        block.rest = rest;
+        block.points.resize(n);
+        std::iota(block.points.begin(), block.points.end(), next);
         next += std::int32_t(n);
     }
     return shares;

@@ -25,6 +25,7 @@ License
 #include "mpmPointTensor.H"
 #include "mpmReduce.H"
 #include "mpmSimulation.H"
+#include "mpmSleep.H"
 
 #include <stdexcept>
 
@@ -269,6 +270,8 @@ mpm::StartReport mpm::Simulation<Dim>::comeToRest
 {
     StartReport report;
     PointCloud<Dim>& cloud = state_.cloud;
+    state_.starting = true;
+    wakeAll(state_);
 
     // Strength of the stable soil
     cloud.hold();
@@ -337,6 +340,7 @@ mpm::StartReport mpm::Simulation<Dim>::comeToRest
     std::fill(cloud.yielding.begin(), cloud.yielding.end(), 0);
     std::fill(cloud.dilation.begin(), cloud.dilation.end(), 0.0);
     cloud.release();
+    state_.starting = false;
 
     clock_ = Clock();
     clearLoads();
@@ -367,7 +371,7 @@ mpm::StartReport mpm::Simulation<Dim>::establishStart
     }
     catch (const std::exception&)
     {
-        state_.elastic = false;
+        state_.elastic = state_.starting = false;
         goBack(good);
         throw;
     }

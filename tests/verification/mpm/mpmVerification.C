@@ -61,7 +61,8 @@ int main(int argc, char* argv[])
         {"waterTableInside", waterTableInside},
         {"verticalCut", verticalCut},
         {"energyAccount", energyAccount},
-        {"hoopStrain", hoopStrain}
+        {"hoopStrain", hoopStrain},
+        {"sleep", verification::sleep}
     };
 
     const auto chosen = cases.find(argc > 1 ? argv[1] : "");

@@ -234,7 +234,7 @@ TEST_CASE_TEMPLATE
 }
 
 
-TEST_CASE("the generic kernels repeat the default's")
+TEST_CASE("the generic kernels repeat those made for a combination")
 {
     const auto compare = [](auto special, auto generic)
     {
@@ -263,6 +263,17 @@ TEST_CASE("the generic kernels repeat the default's")
 
     compare(column<2>(settings(2, 0.1), 6), column<2>(settings(2, 0.1), 6));
     compare(column<3>(settings(3, 0.1), 4), column<3>(settings(3, 0.1), 4));
+
+    const auto linear = [](const int dimension)
+    {
+        mpm::Settings s = settings(dimension, 0.1);
+        s.shapeFunction = "linear";
+        s.transferScheme = "FLIP";
+        s.stressUpdate = "USF";
+        return s;
+    };
+    compare(column<2>(linear(2), 6), column<2>(linear(2), 6));
+    compare(column<3>(linear(3), 4), column<3>(linear(3), 4));
 
     for (const char* antiLocking : {"node", "cell"})
     {

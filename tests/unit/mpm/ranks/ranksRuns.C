@@ -65,7 +65,8 @@ struct Outcome
             d.maxVelocity, d.rmsVelocity, d.maxPlasticStrain, d.front,
             d.front99, d.crest, double(d.activePoints), double(d.movedPoints),
             double(d.yieldingPoints), double(d.clampedByWalls),
-            double(d.sorts), d.plasticEnergy, d.frictionEnergy,
+            double(d.sorts), double(d.sleepingPoints),
+            d.plasticEnergy, d.frictionEnergy,
             d.impactEnergy, d.transferEnergy, d.integrationEnergy,
             d.energyRemainder
         };
@@ -195,6 +196,7 @@ void checkRanks
         outcome.take(*run);
     };
     const Outcome one = on(1, fall);
+    CHECK((one.last.sleepingPoints > 0) == (s.sleepVelocity > 0));
     long rebalances = 0;
     for (const int nRanks : {2, 3, 5})
     {
@@ -229,6 +231,22 @@ TEST_CASE("several ranks give the run of one, bit by bit")
     checkRanks<3>
     (
         named(settings(3, 0.2), "quadraticBSpline", "FLIP", "USF"), 7, 40
+    );
+
+    section("linear", "FLIP", "USF");
+
+    // What blocks know of their rest goes with them
+    const auto sleepy = [](mpm::Settings s, const double sleepVelocity)
+    {
+        s.sleepVelocity = sleepVelocity;
+        s.sleepDelay = 0.01;
+        return s;
+    };
+    checkRanks<2>(sleepy(settings(2, 0.1), 0.5), 20, 300);
+    checkRanks<3>(sleepy(settings(3, 0.2), 0.5), 7, 100);
+    checkRanks<2>
+    (
+        sleepy(named(settings(2, 0.1), "linear", "FLIP", "USF"), 2), 20, 100
     );
 
     // The average against locking sends patches of its own; what a soil dilates

@@ -76,7 +76,9 @@ std::unique_ptr<mpm::Run> slopeStates::slope
     const double cellSize,
     const double dilationAngle,
     mpm::StartReport& report,
-    const std::string& antiLocking
+    const std::string& antiLocking,
+    const double sleepVelocity,
+    const double sleepDelay
 )
 {
     using namespace verification;
@@ -85,6 +87,8 @@ std::unique_ptr<mpm::Run> slopeStates::slope
     settings.cellSize = cellSize;
     settings.gravity = {{0, -gravity, 0}};
     settings.antiLocking = antiLocking;
+    settings.sleepVelocity = sleepVelocity;
+    settings.sleepDelay = sleepDelay;
 
     const double left = -46, right = 24, base = -10;
     mpm::PointData points = seed
