@@ -34,12 +34,18 @@ Description
     one thread by the processor time it used, for more by the wall clock, which
     other work on the machine lowers. The load is noted.
 
+    A second table says where the time of a step goes on one core, what shares
+    of this core's measured limits are reached (operations and bytes of a point
+    by count), and how long the points took to set up.
+
 Usage
-    mpmSpeed <file.csv> [<largest number of points> [<seconds a window>]]
+    mpmSpeed <file.csv> <stages.csv>
+        [<largest number of points> [<seconds a window>]]
 
 \*---------------------------------------------------------------------------*/
 
-#include "mpmRun.H"
+#include "machineLimits.H"
+#include "stages.H"
 
 #include <chrono>
 #include <cmath>
@@ -88,11 +94,21 @@ mpm::WallSettings wall
 }
 
 
-std::unique_ptr<mpm::Run> column
+mpm::Material soil()
+{
+    mpm::Material material;
+    material.E = 1e6;
+    material.nu = 0.3;
+    return material;
+}
+
+
+template<int dim>
+std::unique_ptr<mpm::Simulation<dim>> column
 (
-    const int dim,
     const int cells,
-    const int threads
+    const int threads,
+    double& setUp
 )
 {
     mpm::Settings settings;
@@ -124,10 +140,6 @@ std::unique_ptr<mpm::Run> column
     data.zone.assign(n, 0);
     data.frictionAngle.assign(n, 30);
 
-    mpm::Material soil;
-    soil.E = 1e6;
-    soil.nu = 0.3;
-
     std::vector<mpm::WallSettings> walls
     {
         wall("base", dim - 1, "rough"), wall("back", 0, "roller")
@@ -136,20 +148,29 @@ std::unique_ptr<mpm::Run> column
     {
         walls.push_back(wall("side", 1, "roller"));
     }
-    return mpm::Run::New(dim, settings, data, {soil}, walls);
+    const double start = now(1);
+    auto run = std::make_unique<mpm::Simulation<dim>>
+    (
+        settings, data, std::vector<mpm::Material>{soil()}, walls
+    );
+    setUp = now(1) - start;
+    return run;
 }
 
 
+template<int dim>
 void measure
 (
     std::ostream& table,
-    const int dim,
+    std::ostream& stageTable,
+    const machineLimits& limits,
     const int cells,
     const int threads,
     const double seconds
 )
 {
-    const auto run = column(dim, cells, threads);
+    double setUp = 0;
+    const auto run = column<dim>(cells, threads, setUp);
     run->advance(startOfWindows);
 
     // Each window repeats the same steps from the same state
@@ -203,6 +224,56 @@ void measure
     };
     row(table);
     row(std::cout);
+
+    if (threads == 1)
+    {
+        saved.clear();
+        saved.seekg(0);
+        run->restore(saved);
+        run->step(1);
+        const stages s = stages::measure(*run, soil(), seconds);
+
+        // Nanoseconds a point and step
+        const double n = double(run->nPoints());
+        const double whole = 1e3/best;
+        const double ns = 1e9/n;
+        const double known = s.P2G + s.grid + s.G2P + s.stress + s.sort;
+        stageTable
+            << dim << ',' << run->nPoints() << ',' << yielding << ','
+            << whole << ',' << ns*s.P2G << ',' << ns*s.grid << ','
+            << ns*s.G2P << ',' << ns*s.stress << ',' << ns*s.sort << ','
+            << whole - ns*known << ','
+            << 1e6*best*stages::flopsOfPoint(dim, yielding)/limits.flops << ','
+            << 1e6*best*stages::bytesOfPoint(dim)/limits.bytes << ','
+            << setUp << std::endl;
+    }
+}
+
+
+//- Columns of about 10^3 to 10^6 points
+template<int dim>
+void measureAll
+(
+    std::ostream& table,
+    std::ostream& stageTable,
+    const machineLimits& limits,
+    const std::vector<int>& cells,
+    const double mostPoints,
+    const int mostThreads,
+    const double seconds
+)
+{
+    for (const int n : cells)
+    {
+        if (std::pow(2.0*n, dim) > mostPoints)
+        {
+            continue;
+        }
+        for (int threads = 1; threads <= mostThreads; threads *= 2)
+        {
+            measure<dim>(table, stageTable, limits, n, threads, seconds);
+        }
+    }
 }
 
 
@@ -239,61 +310,66 @@ std::string machine()
 
 int main(int argc, char* argv[])
 {
-    if (argc < 2)
+    if (argc < 3)
     {
         std::cerr
-            << "Usage: mpmSpeed <file.csv> [<largest number of points> "
-            << "[<seconds a window>]]" << std::endl;
+            << "Usage: mpmSpeed <file.csv> <stages.csv> "
+            << "[<largest number of points> [<seconds a window>]]"
+            << std::endl;
         return 1;
     }
-    const double mostPoints = argc > 2 ? std::atof(argv[2]) : 1.1e6;
-    const double seconds = argc > 3 ? std::atof(argv[3]) : 1;
+    const double mostPoints = argc > 3 ? std::atof(argv[3]) : 1.1e6;
+    const double seconds = argc > 4 ? std::atof(argv[4]) : 1;
     const int mostThreads =
         std::max(1, int(std::thread::hardware_concurrency()));
 
-    std::ofstream table(argv[1]);
-    if (!table)
+    std::ofstream table(argv[1]), stageTable(argv[2]);
+    if (!table || !stageTable)
     {
-        std::cerr << "mpmSpeed: cannot write " << argv[1] << std::endl;
+        std::cerr
+            << "mpmSpeed: cannot write " << argv[table ? 2 : 1] << std::endl;
         return 1;
     }
+    const machineLimits limits;
 
     const std::time_t today = std::time(nullptr);
     char date[32];
     std::strftime(date, sizeof(date), "%Y-%m-%d", std::gmtime(&today));
-    table
+    std::ostringstream where;
+    where
         << "# " << machine() << ", " << mostThreads << " processors\n"
-        << "# " << date << ", load at the start " << load() << "; one thread "
-        << "by processor time, more by the wall clock\n"
+        << "# " << date << ", load at the start " << load();
+    table
+        << where.str() << "; one thread by processor time, more by the wall "
+        << "clock\n"
         << "dim,points,pointsPerCell,threads,Mps,yieldingFraction,sorts,"
         << "bytesPerPoint" << std::endl;
+    stageTable
+        << where.str() << "\n# limits of one core: " << 1e-9*limits.flops
+        << " GF/s, " << 1e-9*limits.bytes << " GB/s\n"
+        << "dim,points,yieldingFraction,step_ns,P2G_ns,grid_ns,G2P_ns,"
+        << "stress_ns,sort_ns,rest_ns,shareOfFlops,shareOfBandwidth,setUp_s"
+        << std::endl;
 
     try
     {
-        for (const int dim : {2, 3})
-        {
-            // 10k, 100k, 1M points
-            for (const int cells : dim == 2
-                ? std::vector<int>{50, 158, 500}
-                : std::vector<int>{11, 24, 50})
-            {
-                if (std::pow(2.0*cells, dim) > mostPoints)
-                {
-                    continue;
-                }
-                for (int threads = 1; threads <= mostThreads; threads *= 2)
-                {
-                    measure(table, dim, cells, threads, seconds);
-                }
-            }
-        }
+        measureAll<2>
+        (
+            table, stageTable, limits, {16, 50, 158, 500}, mostPoints,
+            mostThreads, seconds
+        );
+        measureAll<3>
+        (
+            table, stageTable, limits, {5, 11, 24, 50}, mostPoints,
+            mostThreads, seconds
+        );
     }
     catch (const std::exception& e)
     {
         std::cerr << "mpmSpeed: " << e.what() << std::endl;
         return 1;
     }
-    return table ? 0 : 1;
+    return table && stageTable ? 0 : 1;
 }
 
 
