@@ -46,6 +46,7 @@ std::unique_ptr<mpm::Cycle<Dim>> mpm::Cycle<Dim>::New
         settings.shapeFunction == "linear"
      && settings.transferScheme == "FLIP"
      && settings.stressUpdate == "USF"
+     && settings.antiLocking == "none"
      && !settings.axisymmetric()
     )
     {
