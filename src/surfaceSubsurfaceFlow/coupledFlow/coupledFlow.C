@@ -188,10 +188,12 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh)
             ">= 0"
         )
     ),
+    nCouplings_(readCoupling(controls_)),
     ground_(mesh, upward(mesh.time())),
     overland_(),
     soil_(),
     water_(),
+    runoffWater_(),
     lduMesh_(),
     volumes_(),
     matrix_(),
@@ -201,6 +203,9 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh)
     unknowns_(),
     unknownsOld_(),
     leftOver_(),
+    remainder_(),
+    part_(part::all),
+    hasRunoff_(false),
     hasGround_(false),
     times_(),
     step_(),
@@ -238,6 +243,7 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh)
     );
 
     water_.reset(new pondedWater(ground_, soil_.get()));
+    runoffWater_.reset(new pondedWater(ground_, nullptr));
     lduMesh_.reset
     (
         new coupledLduMesh

@@ -28,6 +28,7 @@ void Foam::coupledFlow::beginStep(const trial& step)
 {
     step_ = step;
     performance_ = performance();
+    part_ = part::all;
 
     const scalar end = step.start + step.length();
 
@@ -101,32 +102,43 @@ void Foam::coupledFlow::setStates()
 {
     const workTimes::section timed(times_, workTimes::states);
 
-    const SubList<scalar> groundUnknowns(unknowns_, ground_.size(), start_);
-
-    if (soil_)
+    if (soil_ && part_ != part::runoff)
     {
         soil_->setCells(SubList<scalar>(unknowns_, start_));
     }
 
-    water_->set(groundUnknowns);
+    solvedWater().set(SubList<scalar>(unknowns_, ground_.size(), start_));
 
-    if (overland_)
+    if (overland_ && part_ != part::soil)
     {
-        overland_->setDepth(*water_);
+        overland_->setDepth(solvedWater());
     }
 }
 
 
 void Foam::coupledFlow::renewLagged()
 {
-    if (soil_)
+    if (soil_ && part_ != part::runoff)
     {
         soil_->renewCorrection();
     }
-    if (overland_)
+    if (overland_ && part_ != part::soil)
     {
         overland_->renewSurroundings();
     }
+}
+
+
+void Foam::coupledFlow::assembleSoil()
+{
+    soil_->assemble
+    (
+        *matrix_,
+        ground_,
+        step_.start,
+        step_.length(),
+        step_.fallback
+    );
 }
 
 
@@ -134,19 +146,18 @@ void Foam::coupledFlow::assemble()
 {
     const workTimes::section timed(times_, workTimes::assembly);
 
+    if (part_ != part::all)
+    {
+        assemblePart();
+        return;
+    }
+
     matrix_->reset(leftOver_);
     water_->assemble(*matrix_, start_);
 
     if (soil_)
     {
-        soil_->assemble
-        (
-            *matrix_,
-            ground_,
-            step_.start,
-            step_.length(),
-            step_.fallback
-        );
+        assembleSoil();
     }
     if (overland_)
     {
@@ -155,29 +166,34 @@ void Foam::coupledFlow::assemble()
 }
 
 
-Foam::scalar Foam::coupledFlow::residualLimit() const
+Foam::coupledFlow::limits Foam::coupledFlow::residualLimits() const
 {
     // Round-off of storages and fluxes, of which the residual is a difference
     const scalar roundOff = 4*std::numeric_limits<scalar>::epsilon();
 
-    scalar moved = 0;
-    scalar total = 0;
+    // Water moved by the step, water there is, water that passes faces
+    scalarList volumes(3, Zero);
 
-    water_->addMoved(moved, total);
+    water_->addMoved(volumes[0], volumes[1]);
     if (soil_)
     {
-        soil_->addMoved(*volumes_, step_.length(), moved, total);
-        moved += sumMag(infiltration()());
+        soil_->addMoved(*volumes_, volumes[0], volumes[1]);
+        volumes[0] += sumMag(infiltration()());
+        volumes[2] += step_.length()*soil_->fluxScale();
     }
     if (overland_)
     {
-        total += step_.length()*overland_->fluxScale();
+        volumes[2] += step_.length()*overland_->fluxScale();
     }
 
-    reduce(moved, sumOp<scalar>());
-    reduce(total, sumOp<scalar>());
+    Pstream::listCombineGather(volumes, plusEqOp<scalar>());
+    Pstream::listCombineScatter(volumes);
 
-    return tolerance_*moved + roundOff*total;
+    limits result;
+    result.balance = tolerance_*volumes[0] + roundOff*volumes[1];
+    result.norm = result.balance + roundOff*volumes[2];
+
+    return result;
 }
 
 
@@ -193,7 +209,7 @@ Foam::scalar Foam::coupledFlow::chopped
 
     const scalar to = from + step;
 
-    if (!soil_)
+    if (!soil_ || part_ == part::runoff)
     {
         return max(to, scalar(0));
     }
@@ -249,9 +265,14 @@ Foam::string Foam::coupledFlow::place(const label unknown) const
 }
 
 
-void Foam::coupledFlow::update(const scalarField& step, const bool renew)
+void Foam::coupledFlow::update
+(
+    const scalarField& step,
+    const bool renew,
+    const bool search
+)
 {
-    const label maxHalvings = 6;
+    const label maxHalvings = search ? 6 : 0;
 
     const scalarField from(unknowns_);
     const scalar norm = matrix_->norm();
@@ -280,70 +301,90 @@ void Foam::coupledFlow::update(const scalarField& step, const bool renew)
 }
 
 
+bool Foam::coupledFlow::iterate(const part solved)
+{
+    // A residual that has ceased to fall this close to the limit is round-off
+    // of the fluxes
+    const scalar nearLimit = 100;
+    const scalar ceased = 0.5;
+
+    part_ = solved;
+
+    setStates();
+    renewLagged();
+    assemble();
+
+    performance& p = performance_;
+    scalarField change(unknowns_.size(), Zero);
+    scalar norm = matrix_->norm();
+    scalar previousNorm = GREAT;
+    bool polished = false;
+
+    if (p.iterations == 0)
+    {
+        p.initialResidual = norm;
+    }
+
+    for (label n = 0; ; ++n)
+    {
+        const limits limit(residualLimits());
+
+        p.finalResidual = norm;
+        p.limit = limit.norm;
+
+        // Round-off of the fluxes does not enter the balance: one more
+        // iteration takes what else is left out of it
+        const bool small = (norm <= limit.norm);
+        const bool balanced = small && matrix_->imbalance() <= limit.balance;
+
+        p.converged =
+            balanced
+         || (small && polished)
+         || (norm <= nearLimit*limit.norm && norm > ceased*previousNorm);
+
+        if (p.converged && soil_)
+        {
+            p.dried = returnReduce(soil_->driedCell() >= 0, orOp<bool>());
+            p.converged = !p.dried;
+        }
+
+        if (p.converged || p.dried || n >= maxIterations_ || !(norm < GREAT))
+        {
+            return p.converged;
+        }
+
+        {
+            const workTimes::section timed(times_, workTimes::linearSolver);
+            p.linearIterations += solver_.solve(*matrix_, change);
+        }
+        ++p.iterations;
+
+        polished = small;
+        update(change, n + 1 < nCorrectors_, !small);
+
+        previousNorm = norm;
+        norm = matrix_->norm();
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 bool Foam::coupledFlow::solve(const trial& step)
 {
     beginStep(step);
-    extrapolate();
-    setStates();
-    renewLagged();
-    assemble();
 
-    scalar norm = matrix_->norm();
-    scalar previousNorm = GREAT;
-    scalarField change(unknowns_.size(), Zero);
-
-    performance_.initialResidual = norm;
-
-    for (;;)
+    if (nCouplings_ > 0 && soil_ && overland_)
     {
-        // A residual that has ceased to fall this close to the limit is
-        // round-off of the fluxes
-        const scalar nearLimit = 100;
-        const scalar ceased = 0.5;
-
-        performance_.finalResidual = norm;
-        performance_.limit = residualLimit();
-        performance_.converged =
-            norm <= performance_.limit
-         || (
-                norm <= nearLimit*performance_.limit
-             && norm > ceased*previousNorm
-            );
-
-        if (performance_.converged && soil_)
-        {
-            performance_.dried = returnReduce
-            (
-                soil_->driedCell() >= 0,
-                orOp<bool>()
-            );
-            performance_.converged = !performance_.dried;
-        }
-
-        if
-        (
-            performance_.converged
-         || performance_.dried
-         || performance_.iterations >= maxIterations_
-         || !(norm < GREAT)
-        )
-        {
-            return performance_.converged;
-        }
-
-        {
-            const workTimes::section timed(times_, workTimes::linearSolver);
-            performance_.linearIterations += solver_.solve(*matrix_, change);
-        }
-        ++performance_.iterations;
-
-        update(change, performance_.iterations < nCorrectors_);
-
-        previousNorm = norm;
-        norm = matrix_->norm();
+        return solveSequential();
     }
+
+    extrapolate();
+
+    const bool converged = iterate(part::all);
+    remainder_ = matrix_->residual();
+
+    return converged;
 }
 
 
@@ -380,6 +421,7 @@ Foam::scalar Foam::coupledFlow::localError(const timeScheme& scheme) const
 void Foam::coupledFlow::giveUp()
 {
     unknowns_ = unknownsOld_;
+    part_ = part::all;
     setStates();
 }
 
@@ -387,7 +429,7 @@ void Foam::coupledFlow::giveUp()
 void Foam::coupledFlow::accept()
 {
     unknownsOld_ = unknowns_;
-    leftOver_ = matrix_->residual();
+    leftOver_ = remainder_;
 
     volumes_->end(step_.length());
     water_->endStep(step_.length());

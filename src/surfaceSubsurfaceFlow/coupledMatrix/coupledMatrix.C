@@ -97,13 +97,24 @@ Foam::scalar Foam::coupledMatrix::norm() const
 }
 
 
+Foam::scalar Foam::coupledMatrix::imbalance() const
+{
+    return mag(gSum(residual_));
+}
+
+
 void Foam::coupledMatrix::reset(const scalarField& residual)
 {
     residual_ = residual;
     rowScale_.clear();
     volumes_.clear();
     volumes_.addPast(residual_);
+    dropDerivatives();
+}
 
+
+void Foam::coupledMatrix::dropDerivatives()
+{
     matrix_.diag() = Zero;
     matrix_.upper() = Zero;
     matrix_.lower() = Zero;
@@ -113,6 +124,13 @@ void Foam::coupledMatrix::reset(const scalarField& residual)
         boundaryCoeffs_[i] = Zero;
         internalCoeffs_[i] = Zero;
     }
+}
+
+
+void Foam::coupledMatrix::hold(const label n)
+{
+    SubList<scalar>(residual_, n) = Zero;
+    SubList<scalar>(matrix_.diag(), n) = 1;
 }
 
 

@@ -112,13 +112,14 @@ void Foam::solverStatistics::summary() const
             << " solutions, " << solver.iterations << " iterations" << nl;
     }
 
+    const label precision = Info().precision(3);
     const scalar total = workTimes::now();
     scalar rest = total;
 
     const auto print = [&](const word& name, const scalar seconds)
     {
-        Info<< "    " << setw(24) << name.c_str() << setw(12) << seconds
-            << setw(6) << share(seconds, total) << nl;
+        Info<< "    " << setw(24) << name.c_str() << ' ' << setw(10)
+            << seconds << setw(6) << share(seconds, total) << nl;
     };
 
     Info<< "CPU time of this process [s, %]:" << nl;
@@ -131,6 +132,7 @@ void Foam::solverStatistics::summary() const
     print("other", rest);
     print("total", total);
     Info<< endl;
+    Info().precision(precision);
 }
 
 // ************************************************************************* //

@@ -154,6 +154,15 @@ Foam::stepHistory::stepHistory
             volumes_.history()[place] = value;
         }
     );
+
+    // The faces of the ground are couplings, not boundary
+    for (const label facei : ground_.faces())
+    {
+        if (hasSoil)
+        {
+            volumes_.history()[volumes_.boundaryFace(facei)] = 0;
+        }
+    }
     volumes_.matchHistory();
 }
 

@@ -41,7 +41,7 @@ void Foam::stepVolumes::forAllPlaces(const Operation& operation) const
 }
 
 
-Foam::List<Foam::scalarField> Foam::stepVolumes::unknownsAcross
+Foam::List<Foam::scalarField> Foam::stepVolumes::acrossPlaces
 (
     const scalarField& values
 ) const
@@ -50,7 +50,7 @@ Foam::List<Foam::scalarField> Foam::stepVolumes::unknownsAcross
 
     forAll(here, i)
     {
-        here[i] = scalarField(values, lduMesh_.interfaceCells(i));
+        here[i] = scalarField(values, interfacePlaces_[i]);
     }
 
     return lduMesh_.across(here);
@@ -113,18 +113,15 @@ Foam::tmp<Foam::scalarField> Foam::stepVolumes::limiters
         }
     );
 
-    const List<scalarField> otherIn(unknownsAcross(in));
-    const List<scalarField> otherOut(unknownsAcross(out));
+    // Both sides of an interface take the stricter one
+    const List<scalarField> there(acrossPlaces(result));
 
     forAll(interfacePlaces_, i)
     {
         forAll(interfacePlaces_[i], j)
         {
-            const label place = interfacePlaces_[i][j];
-            const bool outward = history_[place] > 0;
-
-            result[place] =
-                min(result[place], (outward ? otherIn : otherOut)[i][j]);
+            scalar& here = result[interfacePlaces_[i][j]];
+            here = min(here, there[i][j]);
         }
     }
 
@@ -295,21 +292,17 @@ void Foam::stepVolumes::matchHistory()
 {
     const scalar roundOff = 1e-9;
 
-    List<scalarField> here(interfacePlaces_.size());
-    forAll(here, i)
-    {
-        here[i] = scalarField(history_, interfacePlaces_[i]);
-    }
+    const List<scalarField> there(acrossPlaces(history_));
 
-    const List<scalarField> there(lduMesh_.across(here));
-
-    forAll(here, i)
+    forAll(interfacePlaces_, i)
     {
-        forAll(here[i], j)
+        forAll(interfacePlaces_[i], j)
         {
-            if (mag(here[i][j] + there[i][j]) > roundOff*mag(here[i][j]))
+            scalar& here = history_[interfacePlaces_[i][j]];
+
+            if (mag(here + there[i][j]) > roundOff*mag(here - there[i][j]))
             {
-                history_[interfacePlaces_[i][j]] = 0;
+                here = 0;
             }
         }
     }

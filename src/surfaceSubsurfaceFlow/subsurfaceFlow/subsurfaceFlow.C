@@ -249,7 +249,6 @@ void Foam::subsurfaceFlow::localError
 void Foam::subsurfaceFlow::addMoved
 (
     const stepVolumes& volumes,
-    const scalar dt,
     scalar& moved,
     scalar& total
 ) const
@@ -262,8 +261,6 @@ void Foam::subsurfaceFlow::addMoved
         moved += V[celli]*mag(storage - storageOld_[celli]);
         total += V[celli]*storage;
     }
-
-    total += dt*fluxScale_;
 
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
