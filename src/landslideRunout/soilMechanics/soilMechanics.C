@@ -24,6 +24,7 @@ License
 #include "localShearStrength.H"
 #include "mpmChecked.H"
 #include "readChecked.H"
+#include "soilVariation.H"
 #include "unitConversion.H"
 #include "waterRetentionModel.H"
 
@@ -201,6 +202,18 @@ Foam::soilMechanics::soilMechanics
 
     if (const dictionary* hydraulicPtr = soilDict.findDict("hydraulic"))
     {
+        for (const word& field : soilVariation::fieldNames(*hydraulicPtr))
+        {
+            if (field != "Ks")
+            {
+                FatalIOErrorInFunction(*hydraulicPtr)
+                    << "Entry 'fields' of " << hydraulicPtr->name()
+                    << " holds " << field << ": the strength of a soil needs"
+                    << " one thetaS and thetaR for all of it" << nl
+                    << exit(FatalIOError);
+            }
+        }
+
         const autoPtr<waterRetentionModel> retention
         (
             waterRetentionModel::New(hydraulicPtr->subDict("retention"))

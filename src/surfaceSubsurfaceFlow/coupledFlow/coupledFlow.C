@@ -106,6 +106,27 @@ void Foam::coupledFlow::addRainPatches()
 }
 
 
+void Foam::coupledFlow::readSources()
+{
+    if (given(mesh_, "waterSources"))
+    {
+        const IOdictionary dict
+        (
+            IOobject
+            (
+                "waterSources",
+                mesh_.time().constant(),
+                mesh_,
+                IOobject::MUST_READ,
+                IOobject::NO_WRITE,
+                false
+            )
+        );
+        sources_.reset(new waterSourceList(dict, ground_, *soil_));
+    }
+}
+
+
 Foam::tmp<Foam::scalarField> Foam::coupledFlow::initialHeads() const
 {
     auto thead = tmp<scalarField>::New(ground_.size(), Zero);
@@ -194,6 +215,7 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh)
     soil_(),
     water_(),
     runoffWater_(),
+    sources_(),
     lduMesh_(),
     volumes_(),
     matrix_(),
@@ -225,6 +247,7 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh)
         addRainPatches();
         start_ = soil_->size();
         groundCells = UIndirectList<label>(mesh.faceOwner(), ground_.faces());
+        readSources();
     }
     else if (!overland_)
     {
@@ -359,6 +382,14 @@ Foam::coupledFlow::volumes Foam::coupledFlow::moved() const
     volumes result;
 
     result.rain = water_->rain();
+
+    if (sources_)
+    {
+        result.sourceInflow =
+            returnReduce(sources_->inflow(), sumOp<scalar>());
+        result.sourceOutflow =
+            returnReduce(sources_->outflow(), sumOp<scalar>());
+    }
 
     if (overland_)
     {

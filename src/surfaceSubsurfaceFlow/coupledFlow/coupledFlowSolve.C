@@ -22,6 +22,29 @@ License
 
 #include "coupledFlow.H"
 
+#include <cmath>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static bool allFinite(const UList<scalar>& values)
+{
+    for (const scalar value : values)
+    {
+        if (!std::isfinite(value))
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::coupledFlow::beginStep(const trial& step)
@@ -38,6 +61,10 @@ void Foam::coupledFlow::beginStep(const trial& step)
     runTime.setTime(end, timeIndex + 1);
 
     water_->beginStep(step.start, end);
+    if (sources_)
+    {
+        sources_->beginStep(step.start, end);
+    }
     if (soil_)
     {
         soil_->beginStep();
@@ -131,14 +158,22 @@ void Foam::coupledFlow::renewLagged()
 
 void Foam::coupledFlow::assembleSoil()
 {
-    soil_->assemble
-    (
-        *matrix_,
-        ground_,
-        step_.start,
-        step_.length(),
-        step_.fallback
-    );
+    if (sources_)
+    {
+        sources_->assemble(*matrix_, start_);
+    }
+
+    if (soil_)
+    {
+        soil_->assemble
+        (
+            *matrix_,
+            ground_,
+            step_.start,
+            step_.length(),
+            step_.fallback
+        );
+    }
 }
 
 
@@ -155,10 +190,8 @@ void Foam::coupledFlow::assemble()
     matrix_->reset(leftOver_);
     water_->assemble(*matrix_, start_);
 
-    if (soil_)
-    {
-        assembleSoil();
-    }
+    assembleSoil();
+
     if (overland_)
     {
         overland_->assemble(*matrix_, *water_);
@@ -180,6 +213,10 @@ Foam::coupledFlow::limits Foam::coupledFlow::residualLimits() const
         soil_->addMoved(*volumes_, volumes[0], volumes[1]);
         volumes[0] += sumMag(infiltration()());
         volumes[2] += step_.length()*soil_->fluxScale();
+    }
+    if (sources_)
+    {
+        volumes[0] += sources_->inflow() + sources_->outflow();
     }
     if (overland_)
     {
@@ -207,7 +244,10 @@ Foam::scalar Foam::coupledFlow::chopped
     // Just beyond a bend, where the derivatives are those of the other side
     const scalar beyond = 1e-12;
 
-    const scalar to = from + step;
+    // No head is beyond this [m]
+    const scalar largest = 1e10;
+
+    const scalar to = min(max(from + step, -largest), largest);
 
     if (!soil_ || part_ == part::runoff)
     {
@@ -228,40 +268,22 @@ Foam::scalar Foam::coupledFlow::chopped
         }
     };
 
+    const label celli =
+        i < start_ ? i : mesh_.faceOwner()[ground_.faces()[i - start_]];
+    const scalar dryEnd = soil_->table(celli).dryEnd();
+
     stopAt(0);
+    stopAt(dryEnd);
+    if (sources_)
+    {
+        stopAt(dryEnd + waterSource::last);
+    }
     if (i >= start_)
     {
         stopAt(water_->dryUnknown(i - start_));
     }
 
     return result;
-}
-
-
-Foam::string Foam::coupledFlow::place(const label unknown) const
-{
-    OStringStream os;
-
-    if (unknown >= start_)
-    {
-        const label i = unknown - start_;
-        const label facei = ground_.faces()[i];
-
-        os  << "ground face " << i << " at " << mesh_.faceCentres()[facei]
-            << ", surface head " << water_->head()[i] << " m";
-        if (soil_)
-        {
-            os  << ", soil " << soil_->soilName(mesh_.faceOwner()[facei]);
-        }
-    }
-    else
-    {
-        os  << "cell " << unknown << " at " << mesh_.cellCentres()[unknown]
-            << ", soil " << soil_->soilName(unknown) << ", pressure head "
-            << soil_->cellState(unknown).head << " m";
-    }
-
-    return os.str();
 }
 
 
@@ -359,6 +381,12 @@ bool Foam::coupledFlow::iterate(const part solved)
         }
         ++p.iterations;
 
+        if (returnReduce(!allFinite(change), orOp<bool>()))
+        {
+            p.singular = true;
+            return false;
+        }
+
         polished = small;
         update(change, n + 1 < nCorrectors_, !small);
 
@@ -443,74 +471,6 @@ void Foam::coupledFlow::accept()
     {
         history_->keep();
     }
-}
-
-
-Foam::string Foam::coupledFlow::trouble() const
-{
-    const scalarField& residual = matrix_->residual();
-
-    // The unknown to name: one that fell too dry, else the largest residual
-    label worst = performance_.dried ? soil_->driedCell() : -1;
-    scalar largest = worst >= 0 ? mag(residual[worst]) : -1;
-
-    if (!performance_.dried)
-    {
-        forAll(residual, i)
-        {
-            if (!(mag(residual[i]) <= largest))
-            {
-                largest = mag(residual[i]);
-                worst = i;
-            }
-        }
-    }
-
-    // The processor that has it says so
-    const scalar overall = returnReduce(largest, maxOp<scalar>());
-    const label speaker = returnReduce
-    (
-        largest >= overall ? Pstream::myProcNo() : labelMax,
-        minOp<label>()
-    );
-
-    stringList places(Pstream::nProcs());
-    if (Pstream::myProcNo() == speaker && worst >= 0)
-    {
-        places[speaker] = place(worst);
-    }
-    Pstream::gatherList(places);
-    Pstream::scatterList(places);
-
-    OStringStream os;
-    if (performance_.dried)
-    {
-        os  << "drier than the curves of its soil reach: ";
-    }
-    else
-    {
-        os  << "residual " << performance_.finalResidual
-            << " m3, limit " << performance_.limit
-            << " m3, the largest part, " << overall << " m3, in ";
-    }
-    os  << places[speaker].c_str();
-
-    if (Pstream::parRun())
-    {
-        os  << " on processor " << speaker;
-    }
-
-    return os.str();
-}
-
-
-void Foam::coupledFlow::stop(const label nCuts) const
-{
-    FatalErrorInFunction
-        << "No solution of the step from t = " << step_.start << " s, which "
-        << nCuts << " cuts brought to " << step_.length() << " s: "
-        << trouble().c_str() << ". What was written before is complete."
-        << exit(FatalError);
 }
 
 // ************************************************************************* //

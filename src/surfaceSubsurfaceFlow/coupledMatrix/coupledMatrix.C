@@ -22,6 +22,8 @@ License
 
 #include "coupledMatrix.H"
 
+#include <cfenv>
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::coupledMatrix::scaleRows()
@@ -140,6 +142,10 @@ Foam::label Foam::coupledMatrix::solve
     const dictionary& controls
 )
 {
+    // In a singular system the solver divides by zero: that shows in the step
+    std::fenv_t environment;
+    std::feholdexcept(&environment);
+
     if (rowScale_.empty())
     {
         scaleRows();
@@ -147,7 +153,7 @@ Foam::label Foam::coupledMatrix::solve
 
     const scalarField source(-rowScale_*residual_);
 
-    return lduMatrix::solver::New
+    const label n = lduMatrix::solver::New
     (
         "water",
         matrix_,
@@ -156,6 +162,10 @@ Foam::label Foam::coupledMatrix::solve
         lduMesh_.interfaceFields(),
         controls
     )->solve(step, source).nIterations();
+
+    std::fesetenv(&environment);
+
+    return n;
 }
 
 // ************************************************************************* //

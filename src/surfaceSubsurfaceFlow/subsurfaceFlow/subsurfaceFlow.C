@@ -57,6 +57,33 @@ static volScalarField derivedField
 } // End namespace Foam
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::subsurfaceFlow::checkHeads() const
+{
+    // Ten times what the tables of unlimited curves reach
+    const scalar largest = 1e7;
+
+    const labelList& cellSoil = soils_.zones().cellSoil();
+
+    forAll(psi_, celli)
+    {
+        const soilHydraulics& soil = soils_[cellSoil[celli]];
+        const scalar least = -min(largest, soil.maxSuction());
+
+        if (psi_[celli] < least || psi_[celli] > largest)
+        {
+            FatalErrorInFunction
+                << "psi is " << psi_[celli] << " m in cell " << celli << " at "
+                << mesh_.cellCentres()[celli] << ", soil " << soil.name()
+                << "; there it must lie between " << least << " m, where the"
+                << " curves of the soil end, and " << largest << " m (file "
+                << psi_.objectPath() << ')' << exit(FatalError);
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::subsurfaceFlow::subsurfaceFlow
@@ -129,9 +156,9 @@ Foam::subsurfaceFlow::subsurfaceFlow
     forAll(tables_, soili)
     {
         tables_.set(soili, new soilTable(soils_[soili]));
-        soils_[soili].writeInfo(Info);
     }
 
+    checkHeads();
     readConditions();
     makeConnections();
 }
@@ -182,13 +209,13 @@ void Foam::subsurfaceFlow::capacities
 {
     const scalarField& V = mesh_.V();
 
-    scalarList dry(tables_.size());
-    scalarList full(tables_.size());
+    List<soilTable::state> dry(tables_.size());
+    List<soilTable::state> full(tables_.size());
     forAll(tables_, soili)
     {
         const soilTable& soil = tables_[soili];
-        dry[soili] = soil.at(soil.tauOfHead(soil.minHead())).storage;
-        full[soili] = soil.at(0).storage;
+        soil.evaluate(soil.dryEnd(), dry[soili]);
+        soil.evaluate(0, full[soili]);
     }
 
     const labelList& cellSoil = soils_.zones().cellSoil();
@@ -196,11 +223,20 @@ void Foam::subsurfaceFlow::capacities
     forAll(cellStates_, celli)
     {
         const soilTable::state& s = cellStates_[celli];
-        const label soili = cellSoil[celli];
 
-        content[celli] = V[celli]*max(s.storage - dry[soili], scalar(0));
+        const auto storageAt = [&](soilTable::state limit)
+        {
+            soils_.variation().apply(celli, limit);
+            return limit.storage;
+        };
+
+        content[celli] =
+            V[celli]
+           *max(s.storage - storageAt(dry[cellSoil[celli]]), scalar(0));
         room[celli] =
-            s.tau < 0 ? V[celli]*(full[soili] - s.storage) : scalar(GREAT);
+            s.tau < 0
+          ? V[celli]*(storageAt(full[cellSoil[celli]]) - s.storage)
+          : scalar(GREAT);
     }
 }
 

@@ -149,7 +149,9 @@ Foam::richardsFlux::flux Foam::subsurfaceFlow::boundaryFlux
                 anisotropy_[connections_[facei].soil1]
               & mesh_.faceAreas()[facei]
             );
-            const scalar downArea = max(-(area & up_), scalar(0));
+            const scalar downArea =
+                soils_.variation().conductivity(mesh_.faceOwner()[facei])
+               *max(-(area & up_), scalar(0));
             result.value = downArea*cell.K;
             result.dFirst = downArea*cell.dK;
             break;
@@ -282,12 +284,16 @@ void Foam::subsurfaceFlow::extrapolate
                 weights.first()*storageRate_[celli]
               + weights.second()*storageRateOld_[celli];
 
-            const scalar to = s.tau + change/s.dStorage;
-
-            // Not into another part of the curves
-            if (to < 0 && table(celli).aboveDryEnd(to))
+            // tau is that long; a soil may hold no water that moves
+            if (mag(change) < 2*s.dStorage)
             {
-                unknowns[celli] = to;
+                const scalar to = s.tau + change/s.dStorage;
+
+                // Not into another part of the curves
+                if (to < 0 && table(celli).aboveDryEnd(to))
+                {
+                    unknowns[celli] = to;
+                }
             }
         }
     }
@@ -299,6 +305,7 @@ void Foam::subsurfaceFlow::setCells(const UList<scalar>& unknowns)
     forAll(cellStates_, celli)
     {
         table(celli).evaluate(unknowns[celli], cellStates_[celli]);
+        soils_.variation().apply(celli, cellStates_[celli]);
     }
 
     if (!Pstream::parRun())

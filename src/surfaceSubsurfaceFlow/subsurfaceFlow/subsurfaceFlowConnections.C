@@ -152,10 +152,14 @@ void Foam::subsurfaceFlow::makeConnections()
     const labelList& cellSoil = soils_.zones().cellSoil();
     syncTools::swapBoundaryCellList(mesh_, cellSoil, otherSoil_);
 
-    const symmTensorField tensors
+    symmTensorField tensors
     (
         UIndirectList<symmTensor>(anisotropy_, cellSoil)
     );
+    forAll(tensors, celli)
+    {
+        tensors[celli] *= soils_.variation().conductivity(celli);
+    }
     const facePaths paths(mesh_, tensors);
 
     DynamicList<richardsFlux::interface> interfaces;

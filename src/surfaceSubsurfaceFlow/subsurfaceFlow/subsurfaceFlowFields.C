@@ -91,29 +91,37 @@ void Foam::subsurfaceFlow::setFields()
 {
     const labelList& cellSoil = soils_.zones().cellSoil();
 
+    const soilVariation& variation = soils_.variation();
+
+    // From the water content by the soil's own curve, and the conductivity
     const auto setDerived = [&]
     (
-        const soilTable::state& s,
-        const label soili,
+        const label celli,
+        const scalar soilTheta,
+        const scalar K,
         scalar& theta,
         scalar& Se,
         scalar& kr
     )
     {
+        const label soili = cellSoil[celli];
         const waterRetentionModel& curve = soils_[soili].retention();
 
-        theta = s.theta;
-        Se = (s.theta - curve.thetaR())/(curve.thetaS() - curve.thetaR());
-        kr = s.K/tables_[soili].Ks();
+        theta = variation.theta(celli, soilTheta);
+        Se = (soilTheta - curve.thetaR())/(curve.thetaS() - curve.thetaR());
+        kr = K/tables_[soili].Ks();
     };
 
     forAll(cellStates_, celli)
     {
-        psi_[celli] = cellStates_[celli].head;
+        const soilTable::state& s = cellStates_[celli];
+
+        psi_[celli] = s.head;
         setDerived
         (
-            cellStates_[celli],
-            cellSoil[celli],
+            celli,
+            variation.soilTheta(celli, s.theta),
+            s.K,
             theta_[celli],
             Se_[celli],
             kr_[celli]
@@ -142,27 +150,29 @@ void Foam::subsurfaceFlow::setFields()
         forAll(psip, i)
         {
             const label facei = psip.patch().start() + i;
-            const label b = facei - mesh_.nInternalFaces();
-            const label soili =
-                coupled ? otherSoil_[b] : cellSoil[mesh_.faceOwner()[facei]];
 
             if (coupled)
             {
-                psip[i] = boundaryStates_[b].head;
+                psip[i] =
+                    boundaryStates_[facei - mesh_.nInternalFaces()].head;
             }
+            else
+            {
+                const label celli = mesh_.faceOwner()[facei];
+                const soilTable::state s
+                (
+                    table(celli).at(table(celli).tauOfHead(psip[i]))
+                );
 
-            setDerived
-            (
-                coupled
-              ? boundaryStates_[b]
-              : tables_[soili].at(tables_[soili].tauOfHead(psip[i])),
-                soili,
-                thetap[i],
-                Sep[i],
-                krp[i]
-            );
+                setDerived(celli, s.theta, s.K, thetap[i], Sep[i], krp[i]);
+            }
         }
     }
+
+    // Across processors
+    theta_.correctBoundaryConditions();
+    Se_.correctBoundaryConditions();
+    kr_.correctBoundaryConditions();
 }
 
 // ************************************************************************* //

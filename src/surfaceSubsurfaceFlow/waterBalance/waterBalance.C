@@ -31,6 +31,8 @@ void Foam::waterBalance::keep()
     restartState::set(balance, "initialStorage", initialStorage_);
     restartState::set(balance, "rain", sum_.rain);
     restartState::set(balance, "infiltration", sum_.infiltration);
+    restartState::set(balance, "sourceInflow", sum_.sourceInflow);
+    restartState::set(balance, "sourceOutflow", sum_.sourceOutflow);
     restartState::set(balance, "surfaceOutflow", sum_.surfaceOutflow);
     restartState::set(balance, "subsurfaceInflow", sum_.subsurfaceInflow);
     restartState::set(balance, "subsurfaceOutflow", sum_.subsurfaceOutflow);
@@ -75,6 +77,8 @@ Foam::waterBalance::waterBalance
     kept.readIfPresent("initialStorage", initialStorage_);
     kept.readIfPresent("rain", sum_.rain);
     kept.readIfPresent("infiltration", sum_.infiltration);
+    kept.readIfPresent("sourceInflow", sum_.sourceInflow);
+    kept.readIfPresent("sourceOutflow", sum_.sourceOutflow);
     kept.readIfPresent("surfaceOutflow", sum_.surfaceOutflow);
     kept.readIfPresent("subsurfaceInflow", sum_.subsurfaceInflow);
     kept.readIfPresent("subsurfaceOutflow", sum_.subsurfaceOutflow);
@@ -94,6 +98,8 @@ void Foam::waterBalance::update()
 
     sum_.rain += step.rain;
     sum_.infiltration += step.infiltration;
+    sum_.sourceInflow += step.sourceInflow;
+    sum_.sourceOutflow += step.sourceOutflow;
     sum_.surfaceOutflow += step.surfaceOutflow;
     sum_.subsurfaceInflow += step.subsurfaceInflow;
     sum_.subsurfaceOutflow += step.subsurfaceOutflow;
@@ -101,8 +107,11 @@ void Foam::waterBalance::update()
     const scalar surface = water_.surfaceStorage();
     const scalar subsurface = water_.subsurfaceStorage();
 
-    const scalar inflow = sum_.rain + sum_.subsurfaceInflow;
-    const scalar outflow = sum_.surfaceOutflow + sum_.subsurfaceOutflow;
+    const scalar sourceSink = sum_.sourceInflow - sum_.sourceOutflow;
+    const scalar inflow =
+        sum_.rain + sum_.subsurfaceInflow + sum_.sourceInflow;
+    const scalar outflow =
+        sum_.surfaceOutflow + sum_.subsurfaceOutflow + sum_.sourceOutflow;
     const scalar change = surface + subsurface - initialStorage_;
     const scalar error = change - (inflow - outflow);
     const scalar scale = max
@@ -126,7 +135,7 @@ void Foam::waterBalance::update()
         {soil, sum_.subsurfaceOutflow - sum_.subsurfaceInflow},
         {ground, surface},
         {soil, subsurface},
-        {false, 0},
+        {water_.hasSources(), sourceSink},
         error,
         relativeError
     });
@@ -138,6 +147,7 @@ void Foam::waterBalance::update()
         << sum_.subsurfaceOutflow - sum_.subsurfaceInflow
         << ", surfaceStorage " << surface
         << ", subsurfaceStorage " << subsurface
+        << ", sourceSink " << sourceSink
         << ", error " << error << ", relativeError " << relativeError << endl;
 
     keep();

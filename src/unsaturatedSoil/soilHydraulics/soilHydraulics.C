@@ -65,8 +65,9 @@ Foam::soilHydraulics::soilHydraulics(const word& name, const dictionary& dict)
 void Foam::soilHydraulics::writeInfo(Ostream& os) const
 {
     os  << "    " << name_ << ": retention " << retention_->type()
-        << ", relative permeability " << permeability_->type()
-        << ", Ks " << Ks_ << " m/s, Ss " << Ss_ << " 1/m, air entry ";
+        << ", relative permeability ";
+    permeability_->writeInfo(os);
+    os  << ", Ks " << Ks_ << " m/s, Ss " << Ss_ << " 1/m, air entry ";
 
     if (saturationHead() < 0)
     {

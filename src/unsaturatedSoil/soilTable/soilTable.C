@@ -40,6 +40,11 @@ namespace
     // soils that are flat at saturation
     const scalar leastDeficit = 1e-6;
 
+    // Where K has fallen to this part of Ks (a depth of water in the age of the
+    // Earth) the spacing no longer follows it, and to this it stays positive
+    const scalar slowLogKr = -60;
+    const scalar leastKr = 1e-100;
+
     scalar deficit(const Foam::soilHydraulics& soil, const scalar suction)
     {
         return
@@ -59,6 +64,12 @@ Foam::scalar Foam::soilTable::nextSuction
 {
     const scalar logKr = soil.permeability().logKr(-suction);
     scalar step = suction*(std::pow(10, 1/c.nodesPerDecade) - 1);
+
+    if (logKr < slowLogKr)
+    {
+        return suction + step;
+    }
+
     scalar fall = logKr - soil.permeability().logKr(-suction - step);
 
     while (fall > c.maxLogStep)
@@ -77,6 +88,7 @@ void Foam::soilTable::makeNodes(const soilHydraulics& soil, const controls& c)
     DynamicList<scalar> suction(8192);
     const scalar saturated = -soil.saturationHead();
     const scalar ratio = std::pow(10, 1/c.nodesPerDecade);
+    const scalar end = min(c.maxSuction, soil.maxSuction());
 
     suction.append(saturated);
 
@@ -85,21 +97,36 @@ void Foam::soilTable::makeNodes(const soilHydraulics& soil, const controls& c)
       ? saturated*ratio
       : min(c.bridge, 0.01*soil.retention().characteristicSuction());
 
-    while (deficit(soil, s) < leastDeficit)
+    while (s < end && deficit(soil, s) < leastDeficit)
     {
         s *= ratio;
     }
 
-    suction.append(s);
+    s = min(s, end);
 
-    while
-    (
-        s < c.maxSuction
-     && 2 - deficit(soil, s) > driestSum
-    )
+    if (s <= saturated || deficit(soil, s) < leastDeficit)
     {
-        s = nextSuction(soil, c, s);
-        suction.append(s);
+        FatalErrorInFunction
+            << "Soil " << soil.name() << " stays saturated up to " << end
+            << " m of suction, where its curves end: Se + kr is within "
+            << leastDeficit << " of 2. Check the parameters of its retention"
+            << " and relativePermeability" << nl << exit(FatalError);
+    }
+
+    suction.append(s);
+    scalar last = deficit(soil, s);
+
+    while (s < end && 2 - last > driestSum)
+    {
+        s = min(nextSuction(soil, c, s), end);
+
+        // Where the curves are flat within round-off the nodes lie further
+        // apart
+        if (deficit(soil, s) > last)
+        {
+            last = deficit(soil, s);
+            suction.append(s);
+        }
     }
 
     const label n = suction.size();
@@ -117,7 +144,7 @@ void Foam::soilTable::makeNodes(const soilHydraulics& soil, const controls& c)
         tau_[i] = -deficit(soil, suction[i]);
         theta_[i] = soil.theta(h);
         Se_[i] = soil.retention().Se(h);
-        K_[i] = soil.K(h);
+        K_[i] = soil.Ks()*max(soil.permeability().kr(h), leastKr);
     }
 
     // At saturation exactly, not minus zero
@@ -152,6 +179,9 @@ void Foam::soilTable::makeIntervals()
         Phi_[i + 1] = Phi_[i] + dPhi;
         SeIntegral_[i + 1] = SeIntegral_[i] + 0.5*(Se_[i] + Se_[i + 1])*dh;
     }
+
+    const scalar dSedh = dTheta_.last()/dHead_.last()/thetaRange_;
+    dryDecay_ = max(dSedh/max(Se_.last(), VSMALL), VSMALL);
 }
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -164,6 +194,7 @@ Foam::soilTable::soilTable(const soilHydraulics& soil)
 
 Foam::soilTable::soilTable(const soilHydraulics& soil, const controls& c)
 :
+    dryDecay_(0),
     thetaRange_(soil.retention().thetaS() - soil.retention().thetaR()),
     Ss_(soil.Ss()),
     saturatedScale_(c.saturatedScale)

@@ -51,7 +51,7 @@ Foam::tmp<Foam::volScalarField> Foam::unsaturatedSoils::curveField
 
     forAll(psi, celli)
     {
-        field[celli] = curve(ofCell(celli), psi[celli]);
+        field[celli] = curve(celli, psi[celli]);
     }
 
     forAll(field.boundaryField(), patchi)
@@ -65,7 +65,7 @@ Foam::tmp<Foam::volScalarField> Foam::unsaturatedSoils::curveField
 
             forAll(pfield, facei)
             {
-                pfield[facei] = curve(ofCell(faceCells[facei]), ppsi[facei]);
+                pfield[facei] = curve(faceCells[facei], ppsi[facei]);
             }
         }
     }
@@ -81,7 +81,8 @@ Foam::unsaturatedSoils::unsaturatedSoils(const fvMesh& mesh)
 :
     mesh_(mesh),
     zones_(mesh),
-    hydraulics_(zones_.size())
+    hydraulics_(zones_.size()),
+    variation_()
 {
     Info<< "Soils" << nl;
 
@@ -100,6 +101,8 @@ Foam::unsaturatedSoils::unsaturatedSoils(const fvMesh& mesh)
         hydraulics_[soili].writeInfo(Info);
     }
 
+    variation_.reset(new soilVariation(mesh, zones_, hydraulics_));
+
     Info<< endl;
 }
 
@@ -114,9 +117,9 @@ Foam::tmp<Foam::volScalarField> Foam::unsaturatedSoils::theta
     (
         "theta",
         psi,
-        [](const soilHydraulics& soil, const scalar h)
+        [this](const label celli, const scalar h)
         {
-            return soil.theta(h);
+            return variation_->theta(celli, ofCell(celli).theta(h));
         }
     );
 }
@@ -131,9 +134,9 @@ Foam::tmp<Foam::volScalarField> Foam::unsaturatedSoils::Se
     (
         "Se",
         psi,
-        [](const soilHydraulics& soil, const scalar h)
+        [this](const label celli, const scalar h)
         {
-            return soil.retention().Se(h);
+            return ofCell(celli).retention().Se(h);
         }
     );
 }
@@ -148,9 +151,9 @@ Foam::tmp<Foam::volScalarField> Foam::unsaturatedSoils::kr
     (
         "kr",
         psi,
-        [](const soilHydraulics& soil, const scalar h)
+        [this](const label celli, const scalar h)
         {
-            return soil.permeability().kr(h);
+            return ofCell(celli).permeability().kr(h);
         }
     );
 }

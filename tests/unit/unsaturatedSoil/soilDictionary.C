@@ -65,4 +65,60 @@ Foam::dictionary gardnerSoil()
     );
 }
 
+
+Foam::dictionary brooksCoreySoil
+(
+    const std::string& lambda,
+    const std::string& permeability
+)
+{
+    return dictionaryOf
+    (
+        "retention { type brooksCorey; thetaS 0.41; thetaR 0.05;"
+        " airEntryHead 0.15; lambda " + lambda + "; }"
+        "relativePermeability { type " + permeability + "; }"
+        "Ks 2e-5;"
+    );
+}
+
+
+Foam::dictionary haverkampSand()
+{
+    return dictionaryOf
+    (
+        "retention { type haverkamp; thetaS 0.287; thetaR 0.075;"
+        " alpha 1.611e6; beta 3.96; headUnit 0.01; }"
+        "relativePermeability { type haverkamp; A 1.175e6; gamma 4.74;"
+        " headUnit 0.01; }"
+        "Ks 9.44e-5;"
+    );
+}
+
+
+Foam::dictionary tabulatedSoil
+(
+    const std::string& table,
+    const std::string& Ss
+)
+{
+    return dictionaryOf
+    (
+        "retention { type tabulated; " + table + " }"
+        "relativePermeability { type tabulated; }"
+        "Ks 1e-5; Ss " + Ss + ";"
+    );
+}
+
+
+std::string loamTable()
+{
+    return
+        "values"
+        " ("
+        "  (0.05 0.43 1) (0.1 0.42 0.5) (0.3 0.39 0.1) (1 0.32 5e-3)"
+        "  (3 0.25 2e-4) (10 0.19 8e-6) (50 0.15 1e-7) (150 0.13 3e-9)"
+        " );"
+        " thetaR 0.05;";
+}
+
 // ************************************************************************* //

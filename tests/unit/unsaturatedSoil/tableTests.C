@@ -154,7 +154,10 @@ TEST_CASE("the table follows the curves")
     for
     (
         const Foam::dictionary& dict :
-        {stiffSoil(), stiffSoil("0.02"), embankment(), gardnerSoil()}
+        {
+            stiffSoil(), stiffSoil("0.02"), embankment(), gardnerSoil(),
+            brooksCoreySoil(), haverkampSand(), tabulatedSoil(loamTable())
+        }
     )
     {
         const soilHydraulics soil("soil", dict);
@@ -239,7 +242,11 @@ TEST_CASE("derivatives belong to the values")
     for
     (
         const Foam::dictionary& dict :
-        {stiffSoil(), stiffSoil("0.02"), embankment("0.01"), gardnerSoil()}
+        {
+            stiffSoil(), stiffSoil("0.02"), embankment("0.01"), gardnerSoil(),
+            brooksCoreySoil(), haverkampSand(),
+            tabulatedSoil(loamTable(), "0.01")
+        }
     )
     {
         const soilHydraulics soil("soil", dict);
@@ -288,6 +295,83 @@ TEST_CASE("the table is continuous at its ends")
     CHECK(dry.dTheta > 0);
     CHECK(dry.dPhi > 0);
     CHECK(dry.K > 0);
+    CHECK(dry.theta > 0.035);
+}
+
+
+TEST_CASE("the table ends where the curves do")
+{
+    const soilHydraulics soil("loam", tabulatedSoil(loamTable()));
+    const soilTable table(soil);
+
+    CHECK(table.saturationHead() == -0.05);
+    CHECK(table.minHead() == -150);
+
+    // Drier, Se goes on as 1/(1 + b x) with the last slope: theta never falls
+    // below thetaR
+    const soilTable::state end(table.at(table.tauOfHead(-150)));
+    const soilTable::state dry(table.at(table.tauOfHead(-160)));
+    const scalar b = end.dTheta/end.dHead/(end.theta - 0.05);
+
+    CHECK
+    (
+        dry.theta - 0.05
+     == Approx((end.theta - 0.05)/(1 + 10*b)).epsilon(1e-6)
+    );
+    CHECK(table.at(table.tauOfHead(-1e12)).theta >= 0.05);
+}
+
+
+TEST_CASE("a soil that never desaturates is refused")
+{
+    // 1e-9 of 1e6 m: Se falls by 1e-15 over the whole table
+    const soilHydraulics soil
+    (
+        "glass",
+        dictionaryOf
+        (
+            "retention { type vanGenuchten; thetaS 0.4; thetaR 0.1;"
+            " alpha 1e-20; n 2; }"
+            "relativePermeability { type gardner; alpha 1e-20; } Ks 1;"
+        )
+    );
+
+    std::string message;
+    try
+    {
+        const soilTable table(soil);
+    }
+    catch (const Foam::error& error)
+    {
+        message = error.message();
+    }
+
+    CHECK(message.find("glass stays saturated up to 1e+06") != std::string::npos);
+}
+
+
+TEST_CASE("curves that fall without end keep the table small and positive")
+{
+    // ln(kr) falls to -1e8 at 1 km, Se to 0.93
+    const soilHydraulics soil
+    (
+        "wall",
+        dictionaryOf
+        (
+            "retention { type vanGenuchten; thetaS 0.4; thetaR 0.1;"
+            " alpha 1; n 1.01; }"
+            "relativePermeability { type gardner; alpha 1e5; } Ks 1e-5;"
+        )
+    );
+    const soilTable table(soil);
+
+    CHECK(table.nNodes() < 20000);
+    CHECK(table.K().last() > 0);
+    for (const scalar slope : table.dKdPhi())
+    {
+        CHECK(slope >= 0);
+        CHECK(std::isfinite(slope));
+    }
 }
 
 

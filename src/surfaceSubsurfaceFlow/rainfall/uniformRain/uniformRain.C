@@ -21,10 +21,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "uniformRain.H"
-#include "hyetograph.H"
-#include "TableBase.H"
-
-#include <algorithm>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -34,57 +30,11 @@ Foam::uniformRain::uniformRain
     const dictionary& dict
 )
 :
-    dict_(dict),
-    rate_(Function1<scalar>::New(entryName, dict)),
-    hyetograph_
-    (
-        dynamic_cast<const Function1Types::hyetograph*>(rate_.get())
-    ),
-    nodes_()
-{
-    if
-    (
-        const auto* table =
-            dynamic_cast<const Function1Types::TableBase<scalar>*>(rate_.get())
-    )
-    {
-        nodes_ = table->x();
-
-        for (const scalar t : nodes_)
-        {
-            if (table->value(t) < 0)
-            {
-                FatalIOErrorInFunction(dict_)
-                    << "rainfall is " << table->value(t) << " m/s at t = "
-                    << t << " s; rain must be >= 0" << exit(FatalIOError);
-            }
-        }
-    }
-    else if (!hyetograph_)
-    {
-        // Of a constant the whole, of any other function its beginning
-        depth(0, 1);
-    }
-}
+    rate_(entryName, dict)
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::scalar Foam::uniformRain::depth(const scalar t1, const scalar t2) const
-{
-    const scalar result = rate_->integrate(t1, t2);
-
-    if (!(result >= 0))
-    {
-        FatalIOErrorInFunction(dict_)
-            << "rainfall amounts to " << result << " m between t = " << t1
-            << " s and " << t2 << " s; rain must be >= 0"
-            << exit(FatalIOError);
-    }
-
-    return result;
-}
-
 
 void Foam::uniformRain::addDepth
 (
@@ -102,29 +52,16 @@ void Foam::uniformRain::addDepth
 }
 
 
-Foam::scalar Foam::uniformRain::nextBreakPoint(const scalar t) const
-{
-    if (hyetograph_)
-    {
-        return hyetograph_->nextChange(t);
-    }
-
-    const auto next = std::upper_bound(nodes_.cbegin(), nodes_.cend(), t);
-
-    return next == nodes_.cend() ? VGREAT : *next;
-}
-
-
 Foam::rainfall::record Foam::uniformRain::recorded() const
 {
     record result;
 
-    if (hyetograph_)
+    if (const Function1Types::hyetograph* hyetograph = rate_.hyetograph())
     {
         result.given = true;
-        result.begin = hyetograph_->start();
-        result.end = hyetograph_->end();
-        result.depth = hyetograph_->recorded();
+        result.begin = hyetograph->start();
+        result.end = hyetograph->end();
+        result.depth = hyetograph->recorded();
     }
 
     return result;

@@ -21,7 +21,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "mualem.H"
-#include "readChecked.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -35,39 +34,6 @@ namespace relativePermeabilityModels
 }
 }
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::scalar Foam::relativePermeabilityModels::mualem::logOneMinusExp
-(
-    const scalar a
-)
-{
-    // Where exp(-a) is the smaller part log1p keeps its digits, else expm1
-    return
-        a > 0.7 ? std::log1p(-std::exp(-a)) : std::log(-std::expm1(-a));
-}
-
-
-const Foam::waterRetentionModels::vanGenuchten&
-Foam::relativePermeabilityModels::mualem::checkRetention
-(
-    const dictionary& dict,
-    const waterRetentionModel& retention
-)
-{
-    if (!isA<waterRetentionModels::vanGenuchten>(retention))
-    {
-        FatalIOErrorInFunction(dict)
-            << "relativePermeability type " << typeName
-            << " needs the retention type "
-            << waterRetentionModels::vanGenuchten::typeName
-            << ", but the retention type is " << retention.type() << nl
-            << exit(FatalIOError);
-    }
-
-    return refCast<const waterRetentionModels::vanGenuchten>(retention);
-}
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::relativePermeabilityModels::mualem::mualem
@@ -76,67 +42,7 @@ Foam::relativePermeabilityModels::mualem::mualem
     const waterRetentionModel& retention
 )
 :
-    relativePermeabilityModel(),
-    retention_(checkRetention(dict, retention)),
-    l_
-    (
-        readCheckedOrDefault
-        (
-            dict,
-            "l",
-            0.5,
-            [](const scalar) { return true; },
-            "any finite number"
-        )
-    ),
-    logSaturatedPores_
-    (
-        retention_.saturationHead() < 0
-      ? logOneMinusExp(retention_.poreExponent(retention_.saturationHead()))
-      : 0
-    )
+    poreIntegral(dict, retention, typeName, 1, 2, 0.5)
 {}
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::scalar Foam::relativePermeabilityModels::mualem::logKr
-(
-    const scalar h
-) const
-{
-    if (h >= retention_.saturationHead())
-    {
-        return 0;
-    }
-
-    return
-        l_*retention_.logSaturation(h)
-      + 2*(logOneMinusExp(retention_.poreExponent(h)) - logSaturatedPores_);
-}
-
-
-Foam::scalar Foam::relativePermeabilityModels::mualem::dkrdh
-(
-    const scalar h
-) const
-{
-    if (h >= retention_.saturationHead())
-    {
-        return 0;
-    }
-
-    scalar saturationSlope, poreSlope;
-    retention_.logSlopes(h, saturationSlope, poreSlope);
-
-    // d ln(1 - e^-a)/da = e^-a/(1 - e^-a)
-    const scalar a = retention_.poreExponent(h);
-
-    return
-        kr(h)
-       *(
-            l_*saturationSlope
-          + 2*poreSlope*std::exp(-a)/(-std::expm1(-a))
-        );
-}
 
 // ************************************************************************* //

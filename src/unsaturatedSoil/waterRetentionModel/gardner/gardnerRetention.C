@@ -64,42 +64,6 @@ Foam::waterRetentionModels::gardnerRetention::gardnerRetention
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::waterRetentionModels::gardnerRetention::Se
-(
-    const scalar h
-) const
-{
-    return h < 0 ? std::exp(alpha_*h) : 1;
-}
-
-
-Foam::scalar Foam::waterRetentionModels::gardnerRetention::desaturation
-(
-    const scalar h
-) const
-{
-    return h < 0 ? -std::expm1(alpha_*h) : 0;
-}
-
-
-Foam::scalar Foam::waterRetentionModels::gardnerRetention::dSedh
-(
-    const scalar h
-) const
-{
-    return h < 0 ? alpha_*std::exp(alpha_*h) : 0;
-}
-
-
-Foam::scalar Foam::waterRetentionModels::gardnerRetention::headOfSe
-(
-    const scalar Se
-) const
-{
-    return Se < 1 ? std::log(Se)/alpha_ : 0;
-}
-
-
 Foam::scalar Foam::waterRetentionModels::gardnerRetention::SeIntegral
 (
     const scalar h

@@ -24,6 +24,14 @@ License
 #include "readChecked.H"
 #include "addToRunTimeSelectionTable.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+    // Beyond this ln[(alpha s)^n] one is nothing beside (alpha s)^n
+    const Foam::scalar dry = 40;
+}
+
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 namespace Foam
@@ -90,6 +98,26 @@ Foam::scalar Foam::waterRetentionModels::vanGenuchten::readM
     return hasM ? m : mOfN;
 }
 
+
+Foam::scalar Foam::waterRetentionModels::vanGenuchten::logPores
+(
+    const scalar h
+) const
+{
+    const scalar lx = logX(h);
+
+    if (lx > dry)
+    {
+        return std::log(m_) - lx;
+    }
+
+    // Where exp(-a) is the smaller part log1p keeps its digits, else expm1
+    const scalar a = m_*logOnePlusExp(-lx);
+
+    return
+        a > 0.7 ? std::log1p(-std::exp(-a)) : std::log(-std::expm1(-a));
+}
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::waterRetentionModels::vanGenuchten::vanGenuchten(const dictionary& dict)
@@ -118,32 +146,29 @@ Foam::waterRetentionModels::vanGenuchten::vanGenuchten(const dictionary& dict)
             "airEntryHead >= 0 [m of suction]"
         )
     ),
-    logSc_(0)
+    logSc_(0),
+    logSaturatedPores_(0)
 {
     if (saturationHead_ < 0)
     {
         logSc_ = -m_*logOnePlusExp(logX(saturationHead_));
+        logSaturatedPores_ = logPores(saturationHead_);
     }
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::waterRetentionModels::vanGenuchten::Se(const scalar h) const
-{
-    return std::exp(logSaturation(h));
-}
-
-
-Foam::scalar Foam::waterRetentionModels::vanGenuchten::desaturation
+Foam::scalar Foam::waterRetentionModels::vanGenuchten::logSe
 (
     const scalar h
 ) const
 {
-    return -std::expm1(logSaturation(h));
+    return
+        h < saturationHead_ ? -m_*logOnePlusExp(logX(h)) - logSc_ : 0;
 }
 
 
-Foam::scalar Foam::waterRetentionModels::vanGenuchten::dSedh
+Foam::scalar Foam::waterRetentionModels::vanGenuchten::dlogSedh
 (
     const scalar h
 ) const
@@ -153,30 +178,8 @@ Foam::scalar Foam::waterRetentionModels::vanGenuchten::dSedh
         return 0;
     }
 
-    // alpha m n (alpha s)^(n - 1) [1 + (alpha s)^n]^(-m - 1)/Sc
-    const scalar lx = logX(h);
-
-    return
-        alpha_*m_*n_
-       *std::exp((1 - 1/n_)*lx - (m_ + 1)*logOnePlusExp(lx) - logSc_);
-}
-
-
-Foam::scalar Foam::waterRetentionModels::vanGenuchten::headOfSe
-(
-    const scalar Se
-) const
-{
-    if (Se >= 1)
-    {
-        return saturationHead_;
-    }
-
-    // ln(x) for x = (Sc Se)^(-1/m) - 1, written so that exp cannot overflow
-    const scalar t = -(std::log(Se) + logSc_)/m_;
-    const scalar lx = t + std::log(-std::expm1(-t));
-
-    return -std::exp(lx/n_)/alpha_;
+    // d(lx)/dh = n/h; d/dt ln(1 + e^t) = 1/(1 + e^-t)
+    return -m_*n_/h*std::exp(-logOnePlusExp(-logX(h)));
 }
 
 
@@ -185,72 +188,49 @@ Foam::scalar Foam::waterRetentionModels::vanGenuchten::SeIntegral
     const scalar h
 ) const
 {
-    if (h >= saturationHead_)
-    {
-        return h;
-    }
-
-    // Eight-point Gauss nodes and weights on [-1, 1]
-    static const scalar node[4] =
-    {
-        0.1834346424956498049394761, 0.5255324099163289858177390,
-        0.7966664774136267395915539, 0.9602898564975362316835609
-    };
-    static const scalar weight[4] =
-    {
-        0.3626837833783619829651504, 0.3137066458778872873379622,
-        0.2223810344533744705443560, 0.1012285362903762591525314
-    };
-
     // Below this suction 1 - Se is under round-off (exp(-37) = 1e-16)
     const scalar full =
         max(-saturationHead_, std::exp(-37/n_)/alpha_);
 
-    if (-h <= full)
-    {
-        return h;
-    }
-
-    // The integrand Se(s) s is analytic in ln(s) within pi/n of the real axis:
-    // panels of a third of that lose nothing
-    const scalar range = std::log(-h/full);
-    const label nPanels = 1 + label(range*max(n_, scalar(2)));
-    const scalar half = 0.5*range/nPanels;
-
-    scalar sum = 0;
-
-    for (label panel = 0; panel < nPanels; ++panel)
-    {
-        const scalar centre = std::log(full) + (2*panel + 1)*half;
-
-        for (label i = 0; i < 4; ++i)
-        {
-            for (const scalar side : {-1.0, 1.0})
-            {
-                const scalar s = std::exp(centre + side*node[i]*half);
-
-                sum += weight[i]*half*s*std::exp(logSe(-s));
-            }
-        }
-    }
-
-    return -(full + sum);
+    return -h <= full ? h : -(full + integrateSe(full, -h, n_));
 }
 
 
-void Foam::waterRetentionModels::vanGenuchten::logSlopes
+Foam::scalar Foam::waterRetentionModels::vanGenuchten::logPoreIntegral
 (
-    const scalar h,
-    scalar& logSaturationSlope,
-    scalar& poreExponentSlope
+    const label,
+    const scalar h
 ) const
 {
-    // d(lx)/dh = n/h; d/dt ln(1 + e^t) = 1/(1 + e^-t)
-    const scalar lx = logX(h);
-    const scalar slope = -m_*n_/h;
+    return
+        h < saturationHead_ ? logPores(h) - logSaturatedPores_ : 0;
+}
 
-    logSaturationSlope = slope*std::exp(-logOnePlusExp(-lx));
-    poreExponentSlope = slope*std::exp(-logOnePlusExp(lx));
+
+Foam::scalar Foam::waterRetentionModels::vanGenuchten::dlogPoreIntegraldh
+(
+    const label,
+    const scalar h
+) const
+{
+    if (h >= saturationHead_)
+    {
+        return 0;
+    }
+
+    const scalar lx = logX(h);
+
+    if (lx > dry)
+    {
+        return -n_/h;
+    }
+
+    // d ln(1 - e^-a)/da = e^-a/(1 - e^-a)
+    const scalar a = m_*logOnePlusExp(-lx);
+
+    return
+       -m_*n_/h*std::exp(-logOnePlusExp(lx))
+       *std::exp(-a)/(-std::expm1(-a));
 }
 
 // ************************************************************************* //

@@ -1,0 +1,127 @@
+/*---------------------------------------------------------------------------*\
+    slideFoam | from rain to runout
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by the
+    Free Software Foundation, either version 3 of the License, or (at your
+    option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE. See the GNU General Public License for
+    more details.
+
+    You should have received a copy of the GNU General Public License along
+    with slideFoam. If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "coupledFlow.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::string Foam::coupledFlow::place(const label unknown) const
+{
+    OStringStream os;
+
+    if (unknown >= start_)
+    {
+        const label i = unknown - start_;
+        const label facei = ground_.faces()[i];
+
+        os  << "ground face " << i << " at " << mesh_.faceCentres()[facei]
+            << ", surface head " << water_->head()[i] << " m";
+        if (soil_)
+        {
+            os  << ", soil " << soil_->soilName(mesh_.faceOwner()[facei]);
+        }
+    }
+    else
+    {
+        os  << "cell " << unknown << " at " << mesh_.cellCentres()[unknown]
+            << ", soil " << soil_->soilName(unknown) << ", pressure head "
+            << soil_->cellState(unknown).head << " m";
+    }
+
+    return os.str();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::string Foam::coupledFlow::trouble() const
+{
+    const scalarField& residual = matrix_->residual();
+
+    // The unknown to name: one that fell too dry, else the largest residual
+    label worst = performance_.dried ? soil_->driedCell() : -1;
+    scalar largest = worst >= 0 ? mag(residual[worst]) : -1;
+
+    if (!performance_.dried)
+    {
+        forAll(residual, i)
+        {
+            if (!(mag(residual[i]) <= largest))
+            {
+                largest = mag(residual[i]);
+                worst = i;
+            }
+        }
+    }
+
+    // The processor that has it says so
+    const scalar overall = returnReduce(largest, maxOp<scalar>());
+    const label speaker = returnReduce
+    (
+        largest >= overall ? Pstream::myProcNo() : labelMax,
+        minOp<label>()
+    );
+
+    stringList places(Pstream::nProcs());
+    if (Pstream::myProcNo() == speaker && worst >= 0)
+    {
+        places[speaker] = place(worst);
+    }
+    Pstream::gatherList(places);
+    Pstream::scatterList(places);
+
+    OStringStream os;
+    if (performance_.dried)
+    {
+        os  << "drier than the curves of its soil reach: ";
+    }
+    else
+    {
+        if (performance_.singular)
+        {
+            os  << "the linear system has no solution, ";
+        }
+        os  << "residual " << performance_.finalResidual
+            << " m3, limit " << performance_.limit
+            << " m3, the largest part, " << overall << " m3, in ";
+    }
+    os  << places[speaker].c_str();
+
+    if (Pstream::parRun())
+    {
+        os  << " on processor " << speaker;
+    }
+
+    return os.str();
+}
+
+
+void Foam::coupledFlow::stop(const label nCuts) const
+{
+    FatalErrorInFunction
+        << "No solution of the step from t = " << step_.start << " s, which "
+        << nCuts << " cuts brought to " << step_.length() << " s: "
+        << trouble().c_str() << ". What was written before is complete."
+        << exit(FatalError);
+}
+
+// ************************************************************************* //

@@ -1,0 +1,114 @@
+/*---------------------------------------------------------------------------*\
+    slideFoam | from rain to runout
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by the
+    Free Software Foundation, either version 3 of the License, or (at your
+    option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE. See the GNU General Public License for
+    more details.
+
+    You should have received a copy of the GNU General Public License along
+    with slideFoam. If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "rateSeries.H"
+#include "TableBase.H"
+
+#include <algorithm>
+#include <cmath>
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::rateSeries::rateSeries
+(
+    const word& entryName,
+    const dictionary& dict,
+    const scalar least
+)
+:
+    dict_(dict),
+    entry_(entryName),
+    least_(least),
+    rate_(Function1<scalar>::New(entryName, dict)),
+    hyetograph_
+    (
+        dynamic_cast<const Function1Types::hyetograph*>(rate_.get())
+    ),
+    nodes_(),
+    checked_(true)
+{
+    if
+    (
+        const auto* table =
+            dynamic_cast<const Function1Types::TableBase<scalar>*>(rate_.get())
+    )
+    {
+        nodes_ = table->x();
+
+        for (const scalar t : nodes_)
+        {
+            if (table->value(t) < least_)
+            {
+                FatalIOErrorInFunction(dict_)
+                    << entry_ << " is " << table->value(t) << " at t = "
+                    << t << " s; it must be >= " << least_
+                    << exit(FatalIOError);
+            }
+        }
+    }
+    else if (!hyetograph_)
+    {
+        // Of a constant the whole, of any other function its beginning
+        checked_ = false;
+        amount(0, 1);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::rateSeries::amount(const scalar t1, const scalar t2) const
+{
+    const scalar result = rate_->integrate(t1, t2);
+    const scalar least = least_*(t2 - t1);
+
+    if (checked_)
+    {
+        // The difference of two integrals: less is round-off
+        return max(result, least);
+    }
+
+    if (!std::isfinite(result) || result < least)
+    {
+        FatalIOErrorInFunction(dict_)
+            << entry_ << " amounts to " << result << " between t = " << t1
+            << " s and " << t2 << " s; the rate must be >= " << least_
+            << exit(FatalIOError);
+    }
+
+    return result;
+}
+
+
+Foam::scalar Foam::rateSeries::nextBreakPoint(const scalar t) const
+{
+    if (hyetograph_)
+    {
+        return hyetograph_->nextChange(t);
+    }
+
+    const auto next = std::upper_bound(nodes_.cbegin(), nodes_.cend(), t);
+
+    return next == nodes_.cend() ? VGREAT : *next;
+}
+
+// ************************************************************************* //

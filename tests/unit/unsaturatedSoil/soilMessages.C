@@ -1,0 +1,60 @@
+/*---------------------------------------------------------------------------*\
+    slideFoam | from rain to runout
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by the
+    Free Software Foundation, either version 3 of the License, or (at your
+    option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE. See the GNU General Public License for
+    more details.
+
+    You should have received a copy of the GNU General Public License along
+    with slideFoam. If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "soilMessages.H"
+#include "soilHydraulics.H"
+
+#include <doctest/doctest.h>
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+std::string messageOf(const Foam::dictionary& dict)
+{
+    try
+    {
+        const Foam::soilHydraulics soil("soil", dict);
+    }
+    catch (const Foam::IOerror& error)
+    {
+        return error.message();
+    }
+
+    return "no error";
+}
+
+
+void checkNames
+(
+    const std::string& message,
+    const std::initializer_list<std::string> texts
+)
+{
+    CAPTURE(message);
+
+    for (const std::string& text : texts)
+    {
+        CAPTURE(text);
+        CHECK(message.find(text) != std::string::npos);
+    }
+}
+
+// ************************************************************************* //
