@@ -322,7 +322,7 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh)
         soil_->beginStep();
     }
     volumes_->begin(step_.length(), 0, 1, scalarField(), scalarField());
-    renewLagged();
+    renewLagged(false);
     assemble();
     setFields();
 

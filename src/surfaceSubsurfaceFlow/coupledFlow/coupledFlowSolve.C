@@ -143,7 +143,7 @@ void Foam::coupledFlow::setStates()
 }
 
 
-void Foam::coupledFlow::renewLagged()
+void Foam::coupledFlow::renewLagged(const bool again)
 {
     if (soil_ && part_ != part::runoff)
     {
@@ -151,7 +151,7 @@ void Foam::coupledFlow::renewLagged()
     }
     if (overland_ && part_ != part::soil)
     {
-        overland_->renewSurroundings();
+        overland_->renewSurroundings(again);
     }
 }
 
@@ -310,7 +310,7 @@ void Foam::coupledFlow::update
         setStates();
         if (renew && halving == 0)
         {
-            renewLagged();
+            renewLagged(true);
         }
         assemble();
 
@@ -333,7 +333,7 @@ bool Foam::coupledFlow::iterate(const part solved)
     part_ = solved;
 
     setStates();
-    renewLagged();
+    renewLagged(false);
     assemble();
 
     performance& p = performance_;

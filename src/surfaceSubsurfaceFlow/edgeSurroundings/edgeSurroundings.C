@@ -207,6 +207,12 @@ Foam::scalar Foam::edgeSurroundings::ratio
     const scalar minCosine = 0.25;
 
     const scalar here = depth[facei];
+
+    if (here <= 0)
+    {
+        return 1;
+    }
+
     const scalar ahead = value(depth, to) - here;
 
     scalar behind = 0;
@@ -228,18 +234,23 @@ Foam::scalar Foam::edgeSurroundings::ratio
 
     behind /= max(weights, VSMALL);
 
-    if (here <= 0 || ahead*behind <= 0)
+    if (ahead*behind <= 0)
     {
         return 1;
     }
 
-    const scalar change = 2*ahead*behind/(ahead + behind);
+    const scalar change =
+        ahead*behind*(ahead + behind)/(sqr(ahead) + sqr(behind));
 
     return min(max(1 + to.position*change/here, 1/maxRatio), maxRatio);
 }
 
 
-void Foam::edgeSurroundings::setRatios(const areaScalarField& depth)
+void Foam::edgeSurroundings::setRatios
+(
+    const areaScalarField& depth,
+    const scalar share
+)
 {
     forAll(neighbours_, facei)
     {
@@ -250,8 +261,9 @@ void Foam::edgeSurroundings::setRatios(const areaScalarField& depth)
               ? edges_[to.edgei]
               : patchEdges_[to.patchi][to.i];
 
-            (to.first ? edge.ratioFirst : edge.ratioSecond) =
-                depth[facei] > 0 ? ratio(depth, facei, to) : 1;
+            scalar& r = to.first ? edge.ratioFirst : edge.ratioSecond;
+
+            r += share*(ratio(depth, facei, to) - r);
         }
     }
 
@@ -366,11 +378,12 @@ void Foam::edgeSurroundings::update
 (
     const bool followsWater,
     const areaScalarField& depth,
-    const areaScalarField& elevation
+    const areaScalarField& elevation,
+    const bool again
 )
 {
     setGradients(followsWater, depth, elevation);
-    setRatios(depth);
+    setRatios(depth, again ? 0.5 : 1);
 
     const auto gradient = [&](const label facei)
     {
