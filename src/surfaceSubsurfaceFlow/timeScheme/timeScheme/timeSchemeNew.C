@@ -26,7 +26,7 @@ License
 
 Foam::autoPtr<Foam::timeScheme> Foam::timeScheme::New(const dictionary& dict)
 {
-    const word schemeType(dict.lookupOrDefault<word>("timeScheme", "BDF1"));
+    const word schemeType(dict.lookupOrDefault<word>("timeScheme", "BDF2"));
 
     Info<< "Selecting timeScheme " << schemeType << endl;
 
