@@ -203,6 +203,10 @@ Foam::scalar Foam::edgeSurroundings::ratio
 {
     const scalar maxRatio = 2;
 
+    // Depth below which the ratio tends to one, so that it has no jump where
+    // the ground becomes wet [m]
+    const scalar film = 1e-6;
+
     // Cosine from which a neighbour lies opposite rather than to the side
     const scalar minCosine = 0.25;
 
@@ -242,7 +246,11 @@ Foam::scalar Foam::edgeSurroundings::ratio
     const scalar change =
         ahead*behind*(ahead + behind)/(sqr(ahead) + sqr(behind));
 
-    return min(max(1 + to.position*change/here, 1/maxRatio), maxRatio);
+    return min
+    (
+        max(1 + to.position*change/(here + film), 1/maxRatio),
+        maxRatio
+    );
 }
 
 
@@ -333,12 +341,10 @@ Foam::vector2D Foam::edgeSurroundings::edgeGradient
     const vector2D& gradient2
 )
 {
-    if (depth2 <= 0)
-    {
-        return gradient1;
-    }
+    const scalar weight1 = max(depth1, VSMALL);
+    const scalar weight2 = max(depth2, VSMALL);
 
-    return depth1 <= 0 ? gradient2 : 0.5*(gradient1 + gradient2);
+    return (weight1*gradient1 + weight2*gradient2)/(weight1 + weight2);
 }
 
 

@@ -102,6 +102,13 @@ Foam::tmp<Foam::scalarField> Foam::stepVolumes::limiters
     (
         [&](const label place, const label first, const label second)
         {
+            if (history_[place] == 0)
+            {
+                // A flow that begins within the step
+                result[place] = 0;
+                return;
+            }
+
             const bool outward = history_[place] > 0;
 
             result[place] = (outward ? out : in)[first];

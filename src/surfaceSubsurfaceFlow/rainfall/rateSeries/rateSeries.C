@@ -26,6 +26,38 @@ License
 #include <algorithm>
 #include <cmath>
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::rateSeries::integral(const scalar t1, const scalar t2) const
+{
+    if (nodes_.empty())
+    {
+        return rate_->integrate(t1, t2);
+    }
+
+    // A table integrates between its nodes only
+    const auto within = [this](const scalar t)
+    {
+        return min(max(t, nodes_.first()), nodes_.last());
+    };
+    const scalar from = within(t1);
+    const scalar to = within(t2);
+
+    scalar result = from < to ? rate_->integrate(from, to) : 0;
+
+    if (t1 < nodes_.first())
+    {
+        result += rate_->value(t1)*(min(t2, nodes_.first()) - t1);
+    }
+    if (t2 > nodes_.last())
+    {
+        result += rate_->value(t2)*(t2 - max(t1, nodes_.last()));
+    }
+
+    return result;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::rateSeries::rateSeries
@@ -78,7 +110,7 @@ Foam::rateSeries::rateSeries
 
 Foam::scalar Foam::rateSeries::amount(const scalar t1, const scalar t2) const
 {
-    const scalar result = rate_->integrate(t1, t2);
+    const scalar result = integral(t1, t2);
     const scalar least = least_*(t2 - t1);
 
     if (checked_)
