@@ -459,7 +459,7 @@ void Foam::coupledFlow::accept()
     unknownsOld_ = unknowns_;
     leftOver_ = remainder_;
 
-    volumes_->end(step_.length());
+    volumes_->end();
     water_->endStep(step_.length());
     if (soil_)
     {

@@ -110,7 +110,6 @@ void Foam::coupledMatrix::reset(const scalarField& residual)
     residual_ = residual;
     rowScale_.clear();
     volumes_.clear();
-    volumes_.addPast(residual_);
     dropDerivatives();
 }
 

@@ -69,7 +69,14 @@ void Foam::overlandFlow::assemble
         const label own = owner[edgei];
         const label nei = neighbour[edgei];
 
-        if (mobileDepth_[own] <= 0 && mobileDepth_[nei] <= 0)
+        const label coupling = matrix.addressing().edgeCoupling(edgei);
+
+        if
+        (
+            mobileDepth_[own] <= 0
+         && mobileDepth_[nei] <= 0
+         && !matrix.volumes().flowed(coupling)
+        )
         {
             continue;
         }
@@ -91,7 +98,7 @@ void Foam::overlandFlow::assemble
 
         matrix.addFlux
         (
-            matrix.addressing().edgeCoupling(edgei),
+            coupling,
             f.value,
             f.dFirst*dMobile(water, own),
             f.dSecond*dMobile(water, nei)

@@ -102,13 +102,6 @@ Foam::tmp<Foam::scalarField> Foam::stepVolumes::limiters
     (
         [&](const label place, const label first, const label second)
         {
-            if (history_[place] == 0)
-            {
-                // A flow that begins within the step
-                result[place] = 0;
-                return;
-            }
-
             const bool outward = history_[place] > 0;
 
             result[place] = (outward ? out : in)[first];
@@ -158,10 +151,11 @@ Foam::stepVolumes::stepVolumes
     unknowns_(),
     interfacePlaces_(lduMesh.rawInterfaces().size()),
     prescribed_(),
-    carries_(false),
-    weight_(),
-    past_(),
+    length_(0),
+    lastLength_(0),
+    carried_(),
     rate_(),
+    volume_(),
     history_()
 {
     forAll(interfacePlaces_, i)
@@ -218,9 +212,9 @@ Foam::stepVolumes::stepVolumes
     unknowns_.transfer(unknowns);
 
     const label nPlaces = meshStart_ + unknowns_.size();
-    weight_.setSize(nPlaces, Zero);
-    past_.setSize(nPlaces, Zero);
+    carried_.setSize(nPlaces, Zero);
     rate_.setSize(nPlaces, Zero);
+    volume_.setSize(nPlaces, Zero);
     history_.setSize(nPlaces, Zero);
     prescribed_.resize(nPlaces);
 }
@@ -237,60 +231,16 @@ void Foam::stepVolumes::begin
     const scalarField& room
 )
 {
-    carries_ = carry > 0;
+    length_ = length;
+    lastLength_ = length/ratio;
 
-    if (!carries_)
+    if (carry > 0)
     {
-        weight_ = length;
-        past_ = Zero;
-        return;
+        carried_ = carry*limiters(carry, content, room);
     }
-
-    const scalarField limiter(limiters(carry, content, room));
-
-    forAll(weight_, place)
+    else
     {
-        const scalar carried = carry*limiter[place];
-        weight_[place] = length*(1 - carried/ratio);
-        past_[place] = carried*history_[place];
-    }
-}
-
-
-void Foam::stepVolumes::addPast(scalarField& residual) const
-{
-    if (!carries_)
-    {
-        return;
-    }
-
-    forAllPlaces
-    (
-        [&](const label place, const label first, const label second)
-        {
-            residual[first] += past_[place];
-            if (second >= 0)
-            {
-                residual[second] -= past_[place];
-            }
-        }
-    );
-}
-
-
-void Foam::stepVolumes::end(const scalar length)
-{
-    // A volume beyond these multiples of rate times step belongs to a flow
-    // that has begun, ceased or turned within the step
-    const scalar within = 4;
-
-    forAll(history_, place)
-    {
-        const scalar size = length*mag(rate_[place]);
-        const scalar along = rate_[place] < 0 ? -1 : 1;
-
-        history_[place] =
-            along*min(max(along*volume(place), size/within), within*size);
+        carried_ = Zero;
     }
 }
 
