@@ -57,6 +57,53 @@ Foam::List<Foam::scalarField> Foam::stepVolumes::acrossPlaces
 }
 
 
+void Foam::stepVolumes::agree(scalarField& values) const
+{
+    const List<scalarField> there(acrossPlaces(values));
+
+    forAll(interfacePlaces_, i)
+    {
+        forAll(interfacePlaces_[i], j)
+        {
+            scalar& here = values[interfacePlaces_[i][j]];
+            here = min(here, there[i][j]);
+        }
+    }
+}
+
+
+void Foam::stepVolumes::setMaxChanges
+(
+    const scalarField& content,
+    const scalarField& room
+)
+{
+    // Multiples of what flowed: in smooth flow changes are smaller than the
+    // first, and at the foot of an unsaturated front they reach the sum
+    const scalar withoutRoom = 0.5;
+    const scalar withRoom = 16;
+
+    const auto share = [&](const label i)
+    {
+        return min(room[i]/max(content[i], VSMALL), scalar(1));
+    };
+
+    forAllPlaces
+    (
+        [&](const label place, const label first, const label second)
+        {
+            const scalar roomy =
+                second < 0 ? share(first) : min(share(first), share(second));
+
+            maxChange_[place] =
+                (withoutRoom + withRoom*roomy)*mag(history_[place]);
+        }
+    );
+
+    agree(maxChange_);
+}
+
+
 Foam::tmp<Foam::scalarField> Foam::stepVolumes::limiters
 (
     const scalar carry,
@@ -113,17 +160,7 @@ Foam::tmp<Foam::scalarField> Foam::stepVolumes::limiters
         }
     );
 
-    // Both sides of an interface take the stricter one
-    const List<scalarField> there(acrossPlaces(result));
-
-    forAll(interfacePlaces_, i)
-    {
-        forAll(interfacePlaces_[i], j)
-        {
-            scalar& here = result[interfacePlaces_[i][j]];
-            here = min(here, there[i][j]);
-        }
-    }
+    agree(result);
 
     for (const label place : prescribed_)
     {
@@ -154,6 +191,7 @@ Foam::stepVolumes::stepVolumes
     length_(0),
     lastLength_(0),
     carried_(),
+    maxChange_(),
     rate_(),
     volume_(),
     history_()
@@ -213,6 +251,7 @@ Foam::stepVolumes::stepVolumes
 
     const label nPlaces = meshStart_ + unknowns_.size();
     carried_.setSize(nPlaces, Zero);
+    maxChange_.setSize(nPlaces, Zero);
     rate_.setSize(nPlaces, Zero);
     volume_.setSize(nPlaces, Zero);
     history_.setSize(nPlaces, Zero);
@@ -237,6 +276,7 @@ void Foam::stepVolumes::begin
     if (carry > 0)
     {
         carried_ = carry*limiters(carry, content, room);
+        setMaxChanges(content, room);
     }
     else
     {

@@ -24,6 +24,8 @@ License
 #include "readChecked.H"
 #include "restartState.H"
 
+#include <cmath>
+
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 const Foam::Enum<Foam::timeStepControl::rejection>
@@ -54,8 +56,8 @@ Foam::scalar Foam::timeStepControl::fitted(const scalar length) const
         result = 0.5*left;
     }
 
-    // Time goes towards output times (its own and the function objects') by
-    // limited factors: ask until it is content
+    // Time goes towards the output times of function objects by limited
+    // factors: ask until it is content
     scalar before = 0;
     do
     {
@@ -75,7 +77,7 @@ Foam::scalar Foam::timeStepControl::fitted(const scalar length) const
 }
 
 
-Foam::scalar Foam::timeStepControl::defaultMaxStep() const
+Foam::scalar Foam::timeStepControl::outputInterval() const
 {
     const dictionary& times = runTime_.controlDict();
     const word control(times.lookupOrDefault<word>("writeControl", "none"));
@@ -86,9 +88,37 @@ Foam::scalar Foam::timeStepControl::defaultMaxStep() const
      || control == "adjustable"
      || control == "runTime";
 
+    return inTime ? times.get<scalar>("writeInterval") : VGREAT;
+}
+
+
+Foam::scalar Foam::timeStepControl::nextOutput() const
+{
+    const scalar interval = outputInterval();
+
+    if (interval == VGREAT)
+    {
+        return VGREAT;
+    }
+
+    // Distances in time below this share of the interval are round-off
+    const scalar roundOff = 1e-9;
+
+    const scalar start = runTime_.startTime().value();
+    const scalar passed =
+        std::floor((runTime_.value() - start)/interval + roundOff);
+
+    return start + (passed + 1)*interval;
+}
+
+
+Foam::scalar Foam::timeStepControl::defaultMaxStep() const
+{
+    const scalar interval = outputInterval();
+
     return
-        inTime
-      ? times.get<scalar>("writeInterval")
+        interval < VGREAT
+      ? interval
       : max(runTime_.endTime().value() - runTime_.value(), firstStep_);
 }
 
@@ -206,7 +236,7 @@ void Foam::timeStepControl::begin(const coupledFlow& water)
     nextEvent_ = min
     (
         water.nextRainChange(t + minStep_),
-        runTime_.endTime().value()
+        min(nextOutput(), runTime_.endTime().value())
     );
 
     nRejected_ = 0;
