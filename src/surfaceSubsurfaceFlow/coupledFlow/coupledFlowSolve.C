@@ -226,9 +226,19 @@ Foam::coupledFlow::limits Foam::coupledFlow::residualLimits() const
     Pstream::listCombineGather(volumes, plusEqOp<scalar>());
     Pstream::listCombineScatter(volumes);
 
+    // What is left in single cells goes into their next step, so that only the
+    // sum has to be small
+    const scalar single = 100;
+
+    // Of round-off that does not fall any more
+    const scalar many = 100;
+
+    const scalar noise = roundOff*(volumes[1] + volumes[2]);
+
     limits result;
     result.balance = tolerance_*volumes[0] + roundOff*volumes[1];
-    result.norm = result.balance + roundOff*volumes[2];
+    result.norm = single*tolerance_*volumes[0] + noise;
+    result.stalled = result.norm + many*noise;
 
     return result;
 }
@@ -325,9 +335,7 @@ void Foam::coupledFlow::update
 
 bool Foam::coupledFlow::iterate(const part solved)
 {
-    // A residual that has ceased to fall this close to the limit is round-off
-    // of the fluxes
-    const scalar nearLimit = 100;
+    // Share of the former residual at which it has ceased to fall
     const scalar ceased = 0.5;
 
     part_ = solved;
@@ -362,7 +370,7 @@ bool Foam::coupledFlow::iterate(const part solved)
         p.converged =
             balanced
          || (small && polished)
-         || (norm <= nearLimit*limit.norm && norm > ceased*previousNorm);
+         || (norm <= limit.stalled && norm > ceased*previousNorm);
 
         if (p.converged && soil_)
         {
