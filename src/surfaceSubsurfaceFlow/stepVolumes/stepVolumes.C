@@ -85,7 +85,7 @@ void Foam::stepVolumes::setMaxChanges
 
     const auto share = [&](const label i)
     {
-        return min(room[i]/max(content[i], VSMALL), scalar(1));
+        return room[i] < content[i] ? max(room[i], 0)/content[i] : 1;
     };
 
     forAllPlaces
