@@ -230,15 +230,10 @@ Foam::coupledFlow::limits Foam::coupledFlow::residualLimits() const
     // sum has to be small
     const scalar single = 100;
 
-    // Of round-off that does not fall any more
-    const scalar many = 100;
-
-    const scalar noise = roundOff*(volumes[1] + volumes[2]);
-
     limits result;
     result.balance = tolerance_*volumes[0] + roundOff*volumes[1];
-    result.norm = single*tolerance_*volumes[0] + noise;
-    result.stalled = result.norm + many*noise;
+    result.noise = roundOff*(volumes[1] + volumes[2]);
+    result.norm = single*tolerance_*volumes[0] + result.noise;
 
     return result;
 }
@@ -335,8 +330,10 @@ void Foam::coupledFlow::update
 
 bool Foam::coupledFlow::iterate(const part solved)
 {
-    // Share of the former residual at which it has ceased to fall
+    // Share of the former residual at which it has ceased to fall, and
+    // multiple of round-off at which this is no trouble
     const scalar ceased = 0.5;
+    const scalar many = 100;
 
     part_ = solved;
 
@@ -365,12 +362,17 @@ bool Foam::coupledFlow::iterate(const part solved)
         // Round-off of the fluxes does not enter the balance: one more
         // iteration takes what else is left out of it
         const bool small = (norm <= limit.norm);
-        const bool balanced = small && matrix_->imbalance() <= limit.balance;
+        const bool rests = (n == 0 && norm <= limit.noise);
+        const bool balanced =
+            rests || (small && matrix_->imbalance() <= limit.balance);
 
         p.converged =
             balanced
          || (small && polished)
-         || (norm <= limit.stalled && norm > ceased*previousNorm);
+         || (
+                norm <= limit.norm + many*limit.noise
+             && norm > ceased*previousNorm
+            );
 
         if (p.converged && soil_)
         {

@@ -285,6 +285,21 @@ void Foam::stepVolumes::begin
 }
 
 
+void Foam::stepVolumes::end()
+{
+    const scalar within = 4;
+
+    forAll(history_, place)
+    {
+        const scalar size = length_*mag(rate_[place]);
+        const scalar along = rate_[place] < 0 ? -1 : 1;
+
+        history_[place] =
+            along*min(max(along*volume_[place], size/within), within*size);
+    }
+}
+
+
 void Foam::stepVolumes::matchHistory()
 {
     const scalar roundOff = 1e-9;
