@@ -345,7 +345,14 @@ bool Foam::coupledFlow::iterate(const part solved)
     scalarField change(unknowns_.size(), Zero);
     scalar norm = matrix_->norm();
     scalar previousNorm = GREAT;
+
+    // The last iteration started from a small residual, and from where
     bool polished = false;
+    struct
+    {
+        scalarField unknowns;
+        scalar imbalance = 0;
+    } rest;
 
     if (p.iterations == 0)
     {
@@ -359,16 +366,19 @@ bool Foam::coupledFlow::iterate(const part solved)
         p.finalResidual = norm;
         p.limit = limit.norm;
 
-        // Round-off of the fluxes does not enter the balance: one more
-        // iteration takes what else is left out of it
         const bool small = (norm <= limit.norm);
-        const bool rests = (n == 0 && norm <= limit.noise);
-        const bool balanced =
-            rests || (small && matrix_->imbalance() <= limit.balance);
+        const scalar imbalance = matrix_->imbalance();
+
+        if (polished && imbalance > rest.imbalance)
+        {
+            unknowns_ = rest.unknowns;
+            setStates();
+            assemble();
+        }
 
         p.converged =
-            balanced
-         || (small && polished)
+            polished
+         || (small && imbalance <= limit.balance)
          || (
                 norm <= limit.norm + many*limit.noise
              && norm > ceased*previousNorm
@@ -397,8 +407,15 @@ bool Foam::coupledFlow::iterate(const part solved)
             return false;
         }
 
+        // One more iteration brings the balance in order, unless nothing but
+        // round-off is left
         polished = small;
-        update(change, n + 1 < nCorrectors_, !small);
+        if (small)
+        {
+            rest.unknowns = unknowns_;
+            rest.imbalance = imbalance;
+        }
+        update(change, !small && n + 1 < nCorrectors_, !small);
 
         previousNorm = norm;
         norm = matrix_->norm();

@@ -243,11 +243,18 @@ void Foam::subsurfaceFlow::capacities
 
 Foam::label Foam::subsurfaceFlow::driedCell() const
 {
+    // What the residual of the step before may take of a cell
+    const scalar small = 1e-7;
+
     forAll(cellStates_, celli)
     {
         const soilTable::state& s = cellStates_[celli];
 
-        if (!table(celli).aboveDryEnd(s.tau) && s.storage < storageOld_[celli])
+        if
+        (
+            !table(celli).aboveDryEnd(s.tau)
+         && s.storage < storageOld_[celli] - small
+        )
         {
             return celli;
         }

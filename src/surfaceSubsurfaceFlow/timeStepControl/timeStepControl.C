@@ -146,7 +146,7 @@ Foam::timeStepControl::timeStepControl
 :
     runTime_(runTime),
     state_(state),
-    firstStep_(runTime.deltaTValue()),
+    firstStep_(runTime.controlDict().get<scalar>("deltaT")),
     minStep_(0),
     maxStep_(0),
     adaptive_
