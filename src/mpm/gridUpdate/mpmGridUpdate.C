@@ -55,6 +55,41 @@ inline void recordNode
 }
 
 
+//- Let an absorbing side act on a node
+template<int Dim>
+inline void absorb
+(
+    State<Dim>& state,
+    const std::size_t block,
+    const typename BlockGrid<Dim>::WallNode& w,
+    const double deltaT
+)
+{
+    const auto* side = state.sides.find
+    (
+        BlockGrid<Dim>::key(state.grid[block].at), w.node, w.wall
+    );
+    if (!side)
+    {
+        return;
+    }
+    Node& node = state.grid.nodesOf(block)[w.node];
+    const Node before = node;
+    const double mass =
+        std::max(node[massOf], state.leastDensity*w.volume);
+    const double perImpedance = deltaT*w.area/mass;
+    Wall<Dim>::absorb
+    (
+        w.normal,
+        deltaT*side->force/node[massOf],
+        perImpedance*side->pressureImpedance,
+        perImpedance*side->shearImpedance,
+        node
+    );
+    recordNode(state, block, w, 1, before, node);
+}
+
+
 //- Record a share of what the image of a momentum has more than it
 template<int Dim>
 inline void recordMirror
@@ -145,6 +180,11 @@ void mpm::applyWalls
             continue;
         }
         const Wall<Dim>& wall = state.walls[w.wall];
+        if (wall.absorbs() && !state.starting)
+        {
+            absorb(state, block, w, deltaT);
+            continue;
+        }
         if (wall.isPlain() || !(deltaT > 0))
         {
             wall.act(w.normal, node);

@@ -41,7 +41,7 @@ const std::vector<std::string>& mpm::WallSettings::conditions()
 {
     static const std::vector<std::string> names
     {
-        "rough", "roller", "slip", "coulomb"
+        "rough", "roller", "slip", "coulomb", "absorbing"
     };
     return names;
 }

@@ -61,13 +61,21 @@ std::vector<mpm::Wall<Dim>> mpm::Simulation<Dim>::makeWalls
 {
     std::vector<Wall<Dim>> made;
     int nRecords = 0;
-    for (const WallSettings& wall : walls)
+
+    // What absorbing sides push, other walls have to bear: they come first
+    for (const bool absorbing : {true, false})
     {
-        wall.validate(Dim);
-        made.emplace_back
-        (
-            wall, up(settings), wall.recordsLoad ? nRecords++ : -1
-        );
+        for (const WallSettings& wall : walls)
+        {
+            wall.validate(Dim);
+            if ((wall.condition == "absorbing") == absorbing)
+            {
+                made.emplace_back
+                (
+                    wall, up(settings), wall.recordsLoad ? nRecords++ : -1
+                );
+            }
+        }
     }
     if (settings.axisymmetric())
     {
@@ -420,6 +428,7 @@ mpm::Simulation<Dim>::Simulation
     findSpeeds();
     placePoints(state_, *cycle_);
     sort();
+    measureSides();
     startAccount();
 }
 

@@ -302,6 +302,7 @@ void mpm::Simulation<Dim>::save(std::ostream& os) const
         writeBinary(os, std::uint64_t(nPoints_));
         writeBinary(os, clock);
         writeBinary(os, packedLoads());
+        state_.sides.write(os);
 
         std::vector<std::int32_t> zones;
         std::vector<double> angles;
@@ -432,6 +433,7 @@ void mpm::Simulation<Dim>::restore(std::istream& is)
         clock.clampedByWalls = clock.clampedByGrid = 0;
     }
 
+    state_.sides.read(communicator, is);
     readLaws(is);
     const std::vector<std::size_t> shares(readBlocks(is));
 

@@ -346,6 +346,7 @@ mpm::StartReport mpm::Simulation<Dim>::comeToRest
     clearLoads();
     findSpeeds();
     sort();
+    measureSides();
     startAccount();
     report.outOfBalance = outOfBalance();
     measureExcess(report);

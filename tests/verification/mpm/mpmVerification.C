@@ -51,6 +51,7 @@ int main(int argc, char* argv[])
         {"manufactured", manufactured},
         {"blockOnIncline", blockOnIncline},
         {"wallLoads", wallLoads},
+        {"absorbingSides", absorbingSides},
         {"twoDisks", twoDisks},
         {"spinningBody", spinningBody},
         {"selfWeightColumn", selfWeightColumn},

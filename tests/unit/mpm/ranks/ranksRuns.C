@@ -143,13 +143,32 @@ std::unique_ptr<mpm::Simulation<Dim>> wideColumn
         data.velocity.back()[0] =
             data.position[i][Dim - 1] > 0.5*cells*s.cellSize ? 4 : 0;
     }
+
+    // The soil leaves through a side with dashpots and meets a body behind it;
+    // what all walls bear is in the bytes that are saved
+    std::vector<mpm::WallSettings> walls(baseAndSide(Dim));
+    mpm::WallSettings end;
+    end.name = "end";
+    end.condition = "absorbing";
+    end.point[0] = cells*s.cellSize;
+    end.normal = {{-1, 0, 0}};
+    walls.push_back(end);
+    mpm::WallSettings body;
+    body.name = "body";
+    body.type = "box";
+    body.condition = "coulomb";
+    body.friction = 0.3;
+    body.adhesion = 200;
+    body.lower = {{(cells + 3.2)*s.cellSize, -1, -1}};
+    body.upper = {{(cells + 9)*s.cellSize, 20, 0.4*cells*s.cellSize}};
+    walls.push_back(body);
+    for (mpm::WallSettings& wall : walls)
+    {
+        wall.recordsLoad = true;
+    }
     return std::make_unique<mpm::Simulation<Dim>>
     (
-        s,
-        data,
-        std::vector<mpm::Material>{material},
-        baseAndSide(Dim),
-        ranks
+        s, data, std::vector<mpm::Material>{material}, walls, ranks
     );
 }
 

@@ -323,7 +323,7 @@ void account
     (
         name + "least load on base, back and barrier, over weight x time",
         smallest/weight,
-        1e-3,
+        1e-4,
         1,
         "all of them have been met"
     );
