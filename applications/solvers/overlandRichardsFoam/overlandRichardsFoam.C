@@ -52,6 +52,7 @@ Description
 #include "fvMesh.H"
 #include "columnFvMesh.H"
 #include "coupledFlow.H"
+#include "hydrographs.H"
 #include "restartState.H"
 #include "solverStatistics.H"
 #include "timeStepControl.H"
@@ -79,6 +80,7 @@ int main(int argc, char *argv[])
     restartState state(runTime);
     timeStepControl timeStep(runTime, water.controls(), state);
     waterBalance balance(water, state);
+    hydrographs discharge(water, state);
     solverStatistics statistics(water, timeStep);
 
     Info<< "\nStarting time loop\n" << endl;
@@ -101,6 +103,7 @@ int main(int argc, char *argv[])
 
         statistics.update();
         balance.update();
+        discharge.update();
 
         {
             const workTimes::section timed(water.times(), workTimes::output);

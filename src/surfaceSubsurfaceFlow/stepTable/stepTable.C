@@ -79,7 +79,7 @@ Foam::stepTable::stepTable
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::stepTable::write(std::initializer_list<field> row)
+void Foam::stepTable::write(const List<field>& row)
 {
     if (!file_)
     {
