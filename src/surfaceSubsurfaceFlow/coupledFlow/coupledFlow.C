@@ -348,6 +348,29 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::scalar Foam::coupledFlow::nextRainChange(const scalar t) const
+{
+    scalar result = min
+    (
+        ground_.nextBreakPoint(t),
+        sources_ ? sources_->nextBreakPoint(t) : VGREAT
+    );
+
+    if (soil_)
+    {
+        for (const fvPatchScalarField& psi : soil_->psi().boundaryField())
+        {
+            if (const auto* patch = isA<soilBoundaryFvPatchScalarField>(psi))
+            {
+                result = min(result, patch->nextBreakPoint(t));
+            }
+        }
+    }
+
+    return result;
+}
+
+
 Foam::scalar Foam::coupledFlow::subsurfaceStorage() const
 {
     return soil_ ? soil_->storage() : 0;

@@ -24,6 +24,20 @@ License
 #include "addToRunTimeSelectionTable.H"
 #include "volFields.H"
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::darcyFluxFvPatchScalarField::readFlux()
+{
+    if (!fluxDict_.empty())
+    {
+        // Water may go out too
+        const scalar least = -GREAT;
+
+        flux_.reset(new rateSeries("flux", fluxDict_, least));
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::darcyFluxFvPatchScalarField::darcyFluxFvPatchScalarField
@@ -33,6 +47,7 @@ Foam::darcyFluxFvPatchScalarField::darcyFluxFvPatchScalarField
 )
 :
     soilBoundaryFvPatchScalarField(p, iF),
+    fluxDict_(),
     flux_()
 {}
 
@@ -45,8 +60,28 @@ Foam::darcyFluxFvPatchScalarField::darcyFluxFvPatchScalarField
 )
 :
     soilBoundaryFvPatchScalarField(p, iF, dict),
-    flux_(Function1<scalar>::New("flux", dict))
-{}
+    fluxDict_(),
+    flux_()
+{
+    for (const word key : {"flux", "fluxCoeffs"})
+    {
+        if (const entry* e = dict.findEntry(key, keyType::LITERAL))
+        {
+            fluxDict_.add(*e);
+        }
+    }
+
+    // For messages
+    fluxDict_.name() = dict.name();
+
+    if (!fluxDict_.found("flux"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "darcyFlux needs the entry flux [m/s]" << exit(FatalIOError);
+    }
+
+    readFlux();
+}
 
 
 Foam::darcyFluxFvPatchScalarField::darcyFluxFvPatchScalarField
@@ -58,8 +93,11 @@ Foam::darcyFluxFvPatchScalarField::darcyFluxFvPatchScalarField
 )
 :
     soilBoundaryFvPatchScalarField(ptf, p, iF, mapper),
-    flux_(ptf.flux_.clone())
-{}
+    fluxDict_(ptf.fluxDict_),
+    flux_()
+{
+    readFlux();
+}
 
 
 Foam::darcyFluxFvPatchScalarField::darcyFluxFvPatchScalarField
@@ -68,8 +106,11 @@ Foam::darcyFluxFvPatchScalarField::darcyFluxFvPatchScalarField
 )
 :
     soilBoundaryFvPatchScalarField(ptf),
-    flux_(ptf.flux_.clone())
-{}
+    fluxDict_(ptf.fluxDict_),
+    flux_()
+{
+    readFlux();
+}
 
 
 Foam::darcyFluxFvPatchScalarField::darcyFluxFvPatchScalarField
@@ -79,8 +120,11 @@ Foam::darcyFluxFvPatchScalarField::darcyFluxFvPatchScalarField
 )
 :
     soilBoundaryFvPatchScalarField(ptf, iF),
-    flux_(ptf.flux_.clone())
-{}
+    fluxDict_(ptf.fluxDict_),
+    flux_()
+{
+    readFlux();
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -91,14 +135,17 @@ Foam::scalar Foam::darcyFluxFvPatchScalarField::inflow
     const scalar t2
 ) const
 {
-    return flux_->value(0.5*(t1 + t2));
+    return flux_->amount(t1, t2)/(t2 - t1);
 }
 
 
 void Foam::darcyFluxFvPatchScalarField::write(Ostream& os) const
 {
     fvPatchScalarField::write(os);
-    flux_->writeData(os);
+    forAllConstIters(fluxDict_, e)
+    {
+        e().write(os);
+    }
     writeEntry("value", os);
 }
 
