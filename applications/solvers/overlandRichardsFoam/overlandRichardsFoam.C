@@ -35,10 +35,16 @@ Description
     and end on output times and changes of rain. The water balance is printed
     each step and written to postProcessing/waterBalance.
 
+    With -steady the run looks for the state that the conditions of the start
+    time lead to, writes it there and ends (see steadyState).
+
     Sample runs:
     \verbatim
         makeFaMesh
         setWaterTable
+        overlandRichardsFoam
+
+        overlandRichardsFoam -steady -steadyRain 1e-8
         overlandRichardsFoam
 
         decomposePar
@@ -55,6 +61,7 @@ Description
 #include "hydrographs.H"
 #include "restartState.H"
 #include "solverStatistics.H"
+#include "steadyState.H"
 #include "timeStepControl.H"
 #include "waterBalance.H"
 
@@ -70,6 +77,8 @@ int main(int argc, char *argv[])
         " coupled both ways in one system of equations"
     );
 
+    steadyState::addOptions();
+
     #include "setRootCaseLists.H"
     #include "createTime.H"
     #include "createMesh.H"
@@ -78,6 +87,16 @@ int main(int argc, char *argv[])
 
     coupledFlow water(mesh);
     restartState state(runTime);
+
+    if (steadyState::wanted(args))
+    {
+        state.clear();
+        steadyState(runTime, water, args).find();
+
+        Info<< "End\n" << endl;
+        return 0;
+    }
+
     timeStepControl timeStep(runTime, water.controls(), state);
     waterBalance balance(water, state);
     hydrographs discharge(water, state);

@@ -383,6 +383,15 @@ Foam::scalar Foam::coupledFlow::surfaceStorage() const
 }
 
 
+Foam::scalar Foam::coupledFlow::changedStorage() const
+{
+    const scalar changed =
+        water_->changedStorage() + (soil_ ? soil_->changedStorage() : 0);
+
+    return returnReduce(changed, sumOp<scalar>());
+}
+
+
 Foam::tmp<Foam::scalarField> Foam::coupledFlow::infiltration() const
 {
     auto tresult = tmp<scalarField>::New(ground_.size(), Zero);

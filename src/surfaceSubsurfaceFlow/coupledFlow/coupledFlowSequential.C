@@ -116,7 +116,12 @@ bool Foam::coupledFlow::solveSequential()
 
     toDepths();
     runoffWater_->set(SubList<scalar>(unknowns_, ground_.size(), start_));
-    runoffWater_->beginStep(step_.start, step_.start + step_.length());
+    runoffWater_->beginStep
+    (
+        step_.start,
+        step_.conditionsEnd(),
+        step_.stretch()
+    );
     unknowns_ = unknownsOld_;
     hasRunoff_ = false;
 

@@ -53,17 +53,17 @@ void Foam::coupledFlow::beginStep(const trial& step)
     performance_ = performance();
     part_ = part::all;
 
-    const scalar end = step.start + step.length();
+    const scalar end = step.conditionsEnd();
 
     // Prescribed heads are those at the end of the step
     Time& runTime = const_cast<Time&>(mesh_.time());
     const label timeIndex = runTime.timeIndex();
     runTime.setTime(end, timeIndex + 1);
 
-    water_->beginStep(step.start, end);
+    water_->beginStep(step.start, end, step.stretch());
     if (sources_)
     {
-        sources_->beginStep(step.start, end);
+        sources_->beginStep(step.start, end, step.stretch());
     }
     if (soil_)
     {
@@ -170,7 +170,7 @@ void Foam::coupledFlow::assembleSoil()
             *matrix_,
             ground_,
             step_.start,
-            step_.length(),
+            step_.conditionsEnd(),
             step_.fallback
         );
     }
@@ -493,6 +493,19 @@ void Foam::coupledFlow::accept()
         soil_->endStep(step_.length());
     }
     setFields();
+
+    if (history_)
+    {
+        history_->keep();
+    }
+}
+
+
+void Foam::coupledFlow::forgetSteps()
+{
+    volumes_->clear();
+    volumes_->end();
+    leftOver_ = Zero;
 
     if (history_)
     {

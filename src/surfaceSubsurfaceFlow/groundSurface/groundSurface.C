@@ -82,6 +82,7 @@ Foam::groundSurface::groundSurface(const fvMesh& mesh, const vector& up)
     starts_(1, Zero),
     names_(),
     rains_(),
+    heldRain_(-1),
     planArea_(),
     elevation_()
 {}
@@ -133,6 +134,11 @@ Foam::tmp<Foam::scalarField> Foam::groundSurface::rainVolume
     const scalar t2
 ) const
 {
+    if (heldRain_ >= 0)
+    {
+        return heldRain_*(t2 - t1)*planArea_;
+    }
+
     auto tvolume = tmp<scalarField>::New(size(), Zero);
     scalarField& volume = tvolume.ref();
 

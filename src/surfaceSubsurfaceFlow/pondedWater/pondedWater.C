@@ -83,10 +83,15 @@ void Foam::pondedWater::initialise
 }
 
 
-void Foam::pondedWater::beginStep(const scalar t1, const scalar t2)
+void Foam::pondedWater::beginStep
+(
+    const scalar t1,
+    const scalar t2,
+    const scalar stretch
+)
 {
     depthOld_ = depth_;
-    rainVolume_ = ground_.rainVolume(t1, t2);
+    rainVolume_ = stretch*ground_.rainVolume(t1, t2);
 }
 
 
@@ -190,16 +195,16 @@ void Foam::pondedWater::localError
 }
 
 
+Foam::scalar Foam::pondedWater::changedStorage() const
+{
+    return sumProd(ground_.planArea(), mag(depth_ - depthOld_)());
+}
+
+
 void Foam::pondedWater::addMoved(scalar& moved, scalar& total) const
 {
-    const scalarField& area = ground_.planArea();
-
-    forAll(depth_, i)
-    {
-        moved +=
-            rainVolume_[i] + area[i]*mag(depth_[i] - depthOld_[i]);
-        total += area[i]*depth_[i];
-    }
+    moved += sum(rainVolume_) + changedStorage();
+    total += sumProd(ground_.planArea(), depth_);
 }
 
 

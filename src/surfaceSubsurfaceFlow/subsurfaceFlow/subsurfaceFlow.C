@@ -289,6 +289,20 @@ void Foam::subsurfaceFlow::localError
 }
 
 
+Foam::scalar Foam::subsurfaceFlow::changedStorage() const
+{
+    const scalarField& V = mesh_.V();
+    scalar result = 0;
+
+    forAll(cellStates_, celli)
+    {
+        result += V[celli]*mag(cellStates_[celli].storage - storageOld_[celli]);
+    }
+
+    return result;
+}
+
+
 void Foam::subsurfaceFlow::addMoved
 (
     const stepVolumes& volumes,
@@ -298,11 +312,10 @@ void Foam::subsurfaceFlow::addMoved
 {
     const scalarField& V = mesh_.V();
 
+    moved += changedStorage();
     forAll(cellStates_, celli)
     {
-        const scalar storage = cellStates_[celli].storage;
-        moved += V[celli]*mag(storage - storageOld_[celli]);
-        total += V[celli]*storage;
+        total += V[celli]*cellStates_[celli].storage;
     }
 
     for (const polyPatch& patch : mesh_.boundaryMesh())

@@ -183,8 +183,8 @@ Foam::richardsFlux::flux Foam::subsurfaceFlow::boundaryFlux
 void Foam::subsurfaceFlow::assemblePatch
 (
     coupledMatrix& matrix,
-    const scalar t,
-    const scalar dt,
+    const scalar t1,
+    const scalar t2,
     const richardsFlux& flux,
     const label patchi
 )
@@ -195,7 +195,7 @@ void Foam::subsurfaceFlow::assemblePatch
     const scalar inflow =
         conditions_[patchi] == condition::flux
       ? refCast<const soilBoundaryFvPatchScalarField>(field)
-       .inflow(t, t + dt)
+       .inflow(t1, t2)
       : 0;
 
     forAll(patch, i)
@@ -382,8 +382,8 @@ void Foam::subsurfaceFlow::assemble
 (
     coupledMatrix& matrix,
     const groundSurface& ground,
-    const scalar t,
-    const scalar dt,
+    const scalar t1,
+    const scalar t2,
     const bool fallback
 )
 {
@@ -400,7 +400,7 @@ void Foam::subsurfaceFlow::assemble
         }
         else if (conditions_[patchi] != condition::surface)
         {
-            assemblePatch(matrix, t, dt, flux, patchi);
+            assemblePatch(matrix, t1, t2, flux, patchi);
         }
     }
 

@@ -147,10 +147,11 @@ Foam::waterSources::evaporation::evaporation
 void Foam::waterSources::evaporation::beginStep
 (
     const scalar t1,
-    const scalar t2
+    const scalar t2,
+    const scalar stretch
 )
 {
-    demand_ = rate_.amount(t1, t2);
+    demand_ = stretch*rate_.amount(t1, t2);
 }
 
 

@@ -184,10 +184,11 @@ Foam::waterSources::transpiration::transpiration
 void Foam::waterSources::transpiration::beginStep
 (
     const scalar t1,
-    const scalar t2
+    const scalar t2,
+    const scalar stretch
 )
 {
-    demand_ = rate_.amount(t1, t2);
+    demand_ = stretch*rate_.amount(t1, t2);
 }
 
 

@@ -55,11 +55,16 @@ Foam::waterSourceList::waterSourceList
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::waterSourceList::beginStep(const scalar t1, const scalar t2)
+void Foam::waterSourceList::beginStep
+(
+    const scalar t1,
+    const scalar t2,
+    const scalar stretch
+)
 {
     for (waterSource& source : *this)
     {
-        source.beginStep(t1, t2);
+        source.beginStep(t1, t2, stretch);
     }
 }
 

@@ -98,9 +98,14 @@ Foam::waterSources::well::well
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::waterSources::well::beginStep(const scalar t1, const scalar t2)
+void Foam::waterSources::well::beginStep
+(
+    const scalar t1,
+    const scalar t2,
+    const scalar stretch
+)
 {
-    volume_ = rate_.amount(t1, t2);
+    volume_ = stretch*rate_.amount(t1, t2);
 }
 
 
