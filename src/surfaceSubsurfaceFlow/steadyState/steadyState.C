@@ -22,7 +22,7 @@ License
 
 #include "steadyState.H"
 #include "argList.H"
-#include "IOstreams.H"
+#include "readChecked.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
