@@ -48,9 +48,18 @@ void Foam::steadyState::holdRain
 
     if (args.found("steadyRain"))
     {
+        scalar rain = 0;
+        if (!readScalar(args["steadyRain"].c_str(), rain))
+        {
+            FatalErrorInFunction
+                << "Option -steadyRain is " << args["steadyRain"]
+                << ", which is no number; it must be " << range
+                << exit(FatalError);
+        }
+
         dictionary option(dictionary::null);
         option.name() = "-steadyRain";
-        option.set("rain", args.get<scalar>("steadyRain"));
+        option.set("rain", rain);
         water_.holdRain(readChecked(option, "rain", valid, range));
     }
     else if (dict.found("rain"))
