@@ -18,8 +18,6 @@ License
     You should have received a copy of the GNU General Public License along
     with slideFoam. If not, see <http://www.gnu.org/licenses/>.
 
-\*---------------------------------------------------------------------------*/
-
 Description
     What it costs to share a slide among ranks: a column that collapses, as in
     mpmSpeed, on the ranks that mpirun has started (or on one without it).
