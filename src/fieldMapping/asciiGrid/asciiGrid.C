@@ -116,6 +116,54 @@ Foam::asciiGrid::asciiGrid(const fileName& file, const dictionary& dict)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+bool Foam::asciiGrid::interpolate
+(
+    const scalar x,
+    const scalar y,
+    scalar& result
+) const
+{
+    // Share of a cell that is round-off of a place
+    const scalar roundOff = 1e-9;
+
+    // In cells from the middle of the south-western one
+    const scalar column = (x - west_)/cellSize_ - 0.5;
+    const scalar row = (y - south_)/cellSize_ - 0.5;
+
+    if
+    (
+        column < -roundOff || column > nColumns_ - 1 + roundOff
+     || row < -roundOff || row > nRows_ - 1 + roundOff
+    )
+    {
+        return false;
+    }
+
+    // A place on the rim belongs to the last pair; a grid may be one cell wide
+    const label west = max(min(label(column), nColumns_ - 2), label(0));
+    const label south = max(min(label(row), nRows_ - 2), label(0));
+    const scalar s = column - west;
+    const scalar t = row - south;
+
+    result = 0;
+    for (label j = 0; j < min(nRows_, label(2)); ++j)
+    {
+        for (label i = 0; i < min(nColumns_, label(2)); ++i)
+        {
+            const label celli = cell(south + j, west + i);
+
+            if (!hasData(celli))
+            {
+                return false;
+            }
+            result += (i ? s : 1 - s)*(j ? t : 1 - t)*value(celli);
+        }
+    }
+
+    return true;
+}
+
+
 bool Foam::asciiGrid::matches(const asciiGrid& other) const
 {
     // Share of a cell that is round-off of the headers

@@ -39,51 +39,6 @@ namespace slideWalls
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-bool Foam::slideWalls::rasterSlideWall::height
-(
-    const asciiGrid& grid,
-    const vector2D& place,
-    scalar& z
-)
-{
-    // In cells from the middle of the south-western one; a place on the rim
-    // belongs to the last pair
-    const scalar roundOff = 1e-9;
-    const scalar x = (place.x() - grid.west())/grid.cellSize() - 0.5;
-    const scalar y = (place.y() - grid.south())/grid.cellSize() - 0.5;
-
-    if
-    (
-        x < -roundOff || x > grid.nColumns() - 1 + roundOff
-     || y < -roundOff || y > grid.nRows() - 1 + roundOff
-    )
-    {
-        return false;
-    }
-
-    const label column = max(label(0), min(label(x), grid.nColumns() - 2));
-    const label row = max(label(0), min(label(y), grid.nRows() - 2));
-    const scalar s = x - column;
-    const scalar t = y - row;
-
-    z = 0;
-    for (label j = 0; j < 2; ++j)
-    {
-        for (label i = 0; i < 2; ++i)
-        {
-            const label celli = grid.cell(row + j, column + i);
-            if (!grid.hasData(celli))
-            {
-                return false;
-            }
-            z += (i ? s : 1 - s)*(j ? t : 1 - t)*grid.value(celli);
-        }
-    }
-
-    return true;
-}
-
-
 void Foam::slideWalls::rasterSlideWall::requireCover
 (
     const asciiGrid& grid,
@@ -93,7 +48,7 @@ void Foam::slideWalls::rasterSlideWall::requireCover
 {
     scalar z;
 
-    if (!height(grid, place, z))
+    if (!grid.interpolate(place.x(), place.y(), z))
     {
         FatalIOErrorInFunction(dict())
             << "file: the raster " << grid.file() << " does not cover the"
@@ -153,8 +108,9 @@ void Foam::slideWalls::rasterSlideWall::fillLine
     for (label i = -nMost; i <= nMost; ++i)
     {
         const scalar x = middle + i*grid.cellSize();
+        const vector2D place(plan(x));
         scalar z;
-        if (height(grid, plan(x), z))
+        if (grid.interpolate(place.x(), place.y(), z))
         {
             line.append(point(x, z - base, 0));
         }
