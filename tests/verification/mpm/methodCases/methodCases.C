@@ -21,8 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "methodCases.H"
-
-#include <Eigen/Dense>
+#include "manufacturedSolutions.H"
 
 #include <cmath>
 #include <ctime>
@@ -35,186 +34,7 @@ namespace
 
 using methodCases::Method;
 using methodCases::Outcome;
-using Eigen::Matrix2d;
-using Eigen::Vector2d;
-
-const double pi = std::acos(-1.0);
-
-//- Neo-Hookean solid of the manufactured cases
-const double E = 1000, nu = 0.3, rho = 1000;
-const double mu = 0.5*E/(1 + nu);
-const double lambda = E*nu/((1 + nu)*(1 - 2*nu));
-
-
-//- A displacement and what it takes
-class Manufactured
-{
-public:
-
-    virtual ~Manufactured() = default;
-
-    virtual Vector2d displacement(const Vector2d& X, double t) const = 0;
-
-    //- Acceleration that the body force gives, by hand
-    virtual Vector2d bodyForce(const Vector2d& X, double t) const = 0;
-
-    Vector2d velocity(const Vector2d& X, const double t) const
-    {
-        const double d = 1e-5;
-        return (displacement(X, t + d) - displacement(X, t - d))/(2*d);
-    }
-
-    //- First Piola-Kirchhoff stress of the neo-Hookean solid, from differences
-    Matrix2d stress(const Vector2d& X, const double t) const
-    {
-        const double d = 1e-4;
-        Matrix2d F = Matrix2d::Identity();
-        for (int c = 0; c < 2; ++c)
-        {
-            const Vector2d dX = d*Vector2d::Unit(c);
-            F.col(c) +=
-                (displacement(X + dX, t) - displacement(X - dX, t))/(2*d);
-        }
-        const Matrix2d inverse = F.inverse().transpose();
-        return
-            mu*(F - inverse) + lambda*std::log(F.determinant())*inverse;
-    }
-
-    //- Of the momentum balance rho u'' = Div P + rho b, over b; differences of
-    //  differences of 1e-3 leave some 1e-5
-    double residual(const Vector2d& X, const double t) const
-    {
-        const double d = 1e-3;
-        Vector2d divergence = Vector2d::Zero();
-        for (int c = 0; c < 2; ++c)
-        {
-            const Vector2d dX = d*Vector2d::Unit(c);
-            divergence +=
-                (stress(X + dX, t).col(c) - stress(X - dX, t).col(c))/(2*d);
-        }
-        const Vector2d acceleration =
-            (
-                displacement(X, t + d) - 2*displacement(X, t)
-              + displacement(X, t - d)
-            )/(d*d);
-        return (acceleration - divergence/rho - bodyForce(X, t)).norm();
-    }
-};
-
-
-class AxisAligned final
-:
-    public Manufactured
-{
-    const double A = 0.05;
-    const double c = std::sqrt(E/rho);
-
-    //- Along x and y: opposite signs
-    static double sign(const int d)
-    {
-        return d == 0 ? 1 : -1;
-    }
-
-public:
-
-    double endTime() const
-    {
-        return 0.5/c;
-    }
-
-    double amplitude() const
-    {
-        return A;
-    }
-
-    Vector2d displacement(const Vector2d& X, const double t) const override
-    {
-        return
-            A*std::sin(pi*c*t)
-           *Vector2d(std::sin(2*pi*X[0]), -std::sin(2*pi*X[1]));
-    }
-
-    Vector2d bodyForce(const Vector2d& X, const double t) const override
-    {
-        // P_xx = lambda ln(J)/F_xx + mu (F_xx - 1/F_xx), likewise along y
-        Vector2d F, slope, b;
-        for (int d = 0; d < 2; ++d)
-        {
-            const double a = sign(d)*A*std::sin(pi*c*t);
-            F[d] = 1 + 2*pi*a*std::cos(2*pi*X[d]);
-            slope[d] = -4*pi*pi*a*std::sin(2*pi*X[d]);
-        }
-        const double lnJ = std::log(F[0]*F[1]);
-        const Vector2d u = displacement(X, t);
-        for (int d = 0; d < 2; ++d)
-        {
-            const double F2 = F[d]*F[d];
-            b[d] =
-                -pi*pi*c*c*u[d]
-              - slope[d]*(lambda*(1 - lnJ)/F2 + mu*(1 + 1/F2))/rho;
-        }
-        return b;
-    }
-};
-
-
-class Vortex final
-:
-    public Manufactured
-{
-public:
-
-    static constexpr double inner = 0.75;
-    static constexpr double outer = 1.25;
-
-    double endTime() const
-    {
-        return 0.5;
-    }
-
-    //- Of the displacement: a turn by 1 at radius 1
-    double amplitude() const
-    {
-        return 2*std::sin(0.5);
-    }
-
-    Vector2d displacement(const Vector2d& X, const double t) const override
-    {
-        const double s = X.norm() - 1;
-        const double alpha =
-            std::sin(pi*t)*(1 - 32*s*s + 256*s*s*s*s);
-        return Eigen::Rotation2Dd(alpha)*X - X;
-    }
-
-    Vector2d bodyForce(const Vector2d& X, const double t) const override
-    {
-        // Shear gamma = R alpha' in the turned frame: sigma_rt = mu gamma,
-        // sigma_tt = mu gamma^2
-        const double R = X.norm(), s = R - 1;
-        const double g = std::sin(pi*t);
-        const double h = 1 - 32*s*s + 256*s*s*s*s;
-        const double h1 = -64*s + 1024*s*s*s;
-        const double h2 = -64 + 3072*s*s;
-        const double rate = pi*std::cos(pi*t)*h;
-
-        const double radial =
-            -R*rate*rate + mu/rho*R*g*h1*g*h1;
-        const double along =
-            -R*pi*pi*g*h - mu/rho*g*(3*h1 + R*h2);
-        const Vector2d turned = Eigen::Rotation2Dd(g*h)*X/R;
-        return radial*turned + along*Vector2d(-turned[1], turned[0]);
-    }
-};
-
-
-mpm::Material solid()
-{
-    mpm::Material material;
-    material.constitutiveModel = "neoHookean";
-    material.E = E;
-    material.nu = nu;
-    return material;
-}
+using namespace manufactured;
 
 
 mpm::Settings settings(const Method& method, const double cellSize)
@@ -310,24 +130,6 @@ Outcome follow
     return result;
 }
 
-
-template<class Solution>
-double largestResidual(const Solution& solution, const double inner)
-{
-    double largest = 0, force = 0;
-    for (int i = 1; i < 8; ++i)
-    {
-        for (int k = 0; k < 5; ++k)
-        {
-            const double t = (0.13 + 0.2*k)*solution.endTime();
-            const double a = 0.3 + 0.8*i, R = inner + 0.06*i;
-            const Vector2d X = R*Vector2d(std::cos(a), std::sin(a));
-            largest = std::fmax(largest, solution.residual(X, t));
-            force = std::fmax(force, solution.bodyForce(X, t).norm());
-        }
-    }
-    return largest/force;
-}
 
 } // End anonymous namespace
 
