@@ -168,7 +168,7 @@ void mpm::Settings::validate(const int dimension) const
         xpicOrder >= 1 && xpicOrder <= 20,
         "xpicOrder", xpicOrder, "1 (PIC) to 20"
     );
-    require(cfl > 0 && cfl <= 1, "cfl", cfl, "0 < cfl <= 1");
+    require(cfl > 0 && cfl <= 1.2, "cfl", cfl, "0 < cfl <= 1.2");
     require
     (
         maxDeltaT >= 0,

@@ -54,7 +54,7 @@ def main(source, target):
     """One panel a case."""
     notes, rows = read(source)
     cases = list(dict.fromkeys(row["case"] for row in rows))
-    figure, panels = plt.subplots(2, 3, figsize=(15, 9))
+    figure, panels = plt.subplots(2, 4, figsize=(19, 9))
     for axes, case in zip(panels.flat, cases):
         points = []
         for row in rows:
@@ -77,7 +77,7 @@ def main(source, target):
         axes.annotate(best[-1][2], best[-1][:2], fontsize=7)
         axes.set_xscale("log")
         axes.set_yscale("log")
-        axes.set_title(case)
+        axes.set_title(case + (" (against finer cells)" if case == "collapse" else ""))
         axes.set_xlabel("processor seconds")
         axes.set_ylabel("error")
     legend = panels.flat[-1]

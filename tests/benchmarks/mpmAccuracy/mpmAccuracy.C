@@ -23,13 +23,16 @@ Description
 
     Error against processor time of each shape function and transfer on the
     flying bar, the column under its own weight, the manufactured square and
-    vortex, and the axisymmetric cylinder. Table on the standard output.
+    vortex, the axisymmetric cylinder, and the collapse of a column of sand,
+    whose error is the difference from the default on cells of half the
+    smallest size. Table on the standard output.
 
 \*---------------------------------------------------------------------------*/
 
 #include "methodCases.H"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 
@@ -40,6 +43,8 @@ int main(int argc, char* argv[])
     using namespace methodCases;
 
     const int most = argc > 1 ? std::atoi(argv[1]) : 128;
+
+    constexpr int collapseCells = 64;
 
     struct Case
     {
@@ -55,7 +60,25 @@ int main(int argc, char* argv[])
         {"column", 128, [](const Method& m, int n) { return column(m, n); }},
         {"square", 64, [](const Method& m, int n) { return axisAligned(m, n); }},
         {"vortex", 32, [](const Method& m, int n) { return vortex(m, n); }},
-        {"cylinder", 128, [](const Method& m, int n) { return cylinder(m, n); }}
+        {"cylinder", 128, [](const Method& m, int n) { return cylinder(m, n); }},
+        {
+            "collapse",
+            collapseCells,
+            [](const Method& m, int n)
+            {
+                // Against the default on cells of half the smallest size
+                double unused;
+                static const double finest = collapseRunout
+                (
+                    {"quadraticBSpline", "APIC"}, 2*collapseCells, unused
+                );
+                Outcome o;
+                const double runout = collapseRunout(m, n, o.cpu);
+                o.failed = !(runout > 0 && runout < 2*finest);
+                o.error = o.failed ? 1 : std::fabs(runout/finest - 1);
+                return o;
+            }
+        }
     };
 
     std::cout << "case,shape,transfer,update,cells,error,cpu_s,failed\n";

@@ -36,6 +36,7 @@ Usage
 #include "mpmSimulation.H"
 #include "parRun.H"
 #include "pstreamCommunicator.H"
+#include "sandColumn.H"
 
 #include <chrono>
 #include <cmath>
@@ -151,22 +152,6 @@ public:
 };
 
 
-mpm::WallSettings wall
-(
-    const char* name,
-    const int direction,
-    const char* condition
-)
-{
-    mpm::WallSettings w;
-    w.name = name;
-    w.normal = {{0, 0, 0}};
-    w.normal[direction] = 1;
-    w.condition = condition;
-    return w;
-}
-
-
 //- Faces between a block of this rank and one of another
 template<int Dim>
 long sharedFaces(const mpm::State<Dim>& state)
@@ -198,52 +183,20 @@ void measure
     const int threads
 )
 {
-    mpm::Settings settings;
-    settings.cellSize = 1.0/cells;
-    settings.gravity[Dim - 1] = -9.81;
-    settings.threads = threads;
-
-    mpm::PointData data;
-    const double spacing = 0.5/cells;
-    const int depth = Dim == 3 ? 2*cells : 1;
-    for (int k = 0; k < depth; ++k)
-    {
-        for (int j = 0; j < 2*cells; ++j)
-        {
-            for (int i = 0; i < 2*cells*width; ++i)
-            {
-                data.position.push_back
-                ({{
-                    (i + 0.5)*spacing,
-                    (j + 0.5)*spacing,
-                    Dim == 3 ? (k + 0.5)*spacing : 0
-                }});
-            }
-        }
-    }
+    const mpm::PointData data = sandColumn::points(Dim, cells, width);
     const std::size_t n = data.position.size();
-    data.volume.assign(n, std::pow(spacing, Dim));
-    data.rho.assign(n, 2000);
-    data.zone.assign(n, 0);
-    data.frictionAngle.assign(n, 30);
-
-    mpm::Material soil;
-    soil.E = 1e6;
-    soil.nu = 0.3;
-
-    std::vector<mpm::WallSettings> walls
-    {
-        wall("base", Dim - 1, "rough"), wall("back", 0, "roller")
-    };
-    if (Dim == 3)
-    {
-        walls.push_back(wall("side", 1, "roller"));
-    }
 
     const auto ranks = std::make_shared<CountingCommunicator>();
     const double wallAtSetUp = wallTime();
     const double cpuAtSetUp = cpuTime();
-    mpm::Simulation<Dim> run(settings, data, {soil}, walls, ranks);
+    mpm::Simulation<Dim> run
+    (
+        sandColumn::settings(Dim, cells, threads),
+        data,
+        {sandColumn::soil()},
+        sandColumn::walls(Dim),
+        ranks
+    );
     const double setUpWall = wallTime() - wallAtSetUp;
     const double setUpCpu = cpuTime() - cpuAtSetUp;
 

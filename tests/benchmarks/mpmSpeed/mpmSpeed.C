@@ -45,6 +45,7 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "machineLimits.H"
+#include "sandColumn.H"
 #include "stages.H"
 
 #include <chrono>
@@ -78,31 +79,6 @@ double now(const int threads)
 }
 
 
-mpm::WallSettings wall
-(
-    const char* name,
-    const int direction,
-    const char* condition
-)
-{
-    mpm::WallSettings w;
-    w.name = name;
-    w.normal = {{0, 0, 0}};
-    w.normal[direction] = 1;
-    w.condition = condition;
-    return w;
-}
-
-
-mpm::Material soil()
-{
-    mpm::Material material;
-    material.E = 1e6;
-    material.nu = 0.3;
-    return material;
-}
-
-
 template<int dim>
 std::unique_ptr<mpm::Simulation<dim>> column
 (
@@ -111,47 +87,14 @@ std::unique_ptr<mpm::Simulation<dim>> column
     double& setUp
 )
 {
-    mpm::Settings settings;
-    settings.cellSize = 1.0/cells;
-    settings.gravity[dim - 1] = -9.81;
-    settings.threads = threads;
-
-    mpm::PointData data;
-    const double spacing = 0.5/cells;
-    const int depth = dim == 3 ? 2*cells : 1;
-    for (int k = 0; k < depth; ++k)
-    {
-        for (int j = 0; j < 2*cells; ++j)
-        {
-            for (int i = 0; i < 2*cells; ++i)
-            {
-                data.position.push_back
-                ({{
-                    (i + 0.5)*spacing,
-                    (j + 0.5)*spacing,
-                    dim == 3 ? (k + 0.5)*spacing : 0
-                }});
-            }
-        }
-    }
-    const std::size_t n = data.position.size();
-    data.volume.assign(n, std::pow(spacing, dim));
-    data.rho.assign(n, 2000);
-    data.zone.assign(n, 0);
-    data.frictionAngle.assign(n, 30);
-
-    std::vector<mpm::WallSettings> walls
-    {
-        wall("base", dim - 1, "rough"), wall("back", 0, "roller")
-    };
-    if (dim == 3)
-    {
-        walls.push_back(wall("side", 1, "roller"));
-    }
+    const mpm::PointData points = sandColumn::points(dim, cells);
     const double start = now(1);
     auto run = std::make_unique<mpm::Simulation<dim>>
     (
-        settings, data, std::vector<mpm::Material>{soil()}, walls
+        sandColumn::settings(dim, cells, threads),
+        points,
+        std::vector<mpm::Material>{sandColumn::soil()},
+        sandColumn::walls(dim)
     );
     setUp = now(1) - start;
     return run;
@@ -231,7 +174,7 @@ void measure
         saved.seekg(0);
         run->restore(saved);
         run->step(1);
-        const stages s = stages::measure(*run, soil(), seconds);
+        const stages s = stages::measure(*run, sandColumn::soil(), seconds);
 
         // Nanoseconds a point and step
         const double n = double(run->nPoints());

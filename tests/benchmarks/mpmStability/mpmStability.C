@@ -55,8 +55,12 @@ int main(int argc, char* argv[])
                 {
                     continue;
                 }
-                // The largest CFL number that the settings allow is 1
-                for (const double cfl : {0.05, 0.1, 0.2, 0.4, 0.6, 0.8, 1.0})
+                // The largest CFL number that the settings allow is 1.2
+                for
+                (
+                    const double cfl :
+                    {0.05, 0.1, 0.2, 0.4, 0.6, 0.8, 1.0, 1.2}
+                )
                 {
                     for (int cells = 8; cells <= most; cells *= 2)
                     {

@@ -364,6 +364,65 @@ methodCases::Outcome methodCases::column
 }
 
 
+double methodCases::collapseRunout
+(
+    const Method& method,
+    const int cells,
+    double& cpu
+)
+{
+    using verification::plane;
+
+    mpm::Settings s = settings(method, 1.0/cells);
+    s.gravity = {{0, -verification::gravity, 0}};
+    // The blend of a slide, not that of a vibration
+    s.flipBlend = -1;
+
+    mpm::PointData points = verification::seed
+    (
+        2,
+        s.cellSize,
+        2,
+        {{0, 0, 0}},
+        {{1, 1, 0}},
+        [](const mpm::Point3&) { return true; },
+        1600
+    );
+    points.frictionAngle.assign(points.size(), 30);
+    mpm::Material sand;
+    sand.E = 1e6;
+    sand.nu = 0.3;
+
+    const double start = cpuTime();
+    double sum = 0;
+    try
+    {
+        auto run = mpm::Run::New
+        (
+            2,
+            s,
+            points,
+            {sand},
+            {
+                plane("middle", "roller", {{0, 0, 0}}, {{1, 0, 0}}),
+                plane("floor", "rough", {{0, 0, 0}}, {{0, 1, 0}})
+            }
+        );
+        run->advance(1.2);
+
+        const std::vector<double> u = run->field("displacement");
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+            sum += u[3*i];
+        }
+    }
+    catch (const std::runtime_error&)
+    {}
+    cpu = cpuTime() - start;
+    return sum/double(points.size());
+}
+
+
 methodCases::Outcome methodCases::cylinder
 (
     const Method& method,
