@@ -447,27 +447,36 @@ Foam::scalar Foam::coupledFlow::localError(const timeScheme& scheme) const
 {
     const FixedList<scalar, 3> weights(scheme.errorWeights(step_.lengths));
 
-    // In the soil and on the ground
-    scalarList error(2, Zero);
-    scalarList total(2, Zero);
+    // In unsaturated and in saturated soil, and on the ground
+    Pair<scalar> soilError(0, 0);
+    Pair<scalar> soilTotal(0, 0);
+    scalar groundError = 0;
+    scalar groundTotal = 0;
 
     if (soil_)
     {
-        soil_->localError(weights, step_.length(), error[0], total[0]);
+        soil_->localError(weights, step_.length(), soilError, soilTotal);
     }
-    water_->localError(weights, step_.length(), error[1], total[1]);
+    water_->localError(weights, step_.length(), groundError, groundTotal);
+
+    scalarList error({soilError[0], soilError[1], groundError});
+    scalarList total({soilTotal[0], soilTotal[1], groundTotal});
 
     Pstream::listCombineGather(error, plusEqOp<scalar>());
     Pstream::listCombineScatter(error);
     Pstream::listCombineGather(total, plusEqOp<scalar>());
     Pstream::listCombineScatter(total);
 
+    // Saturated soil would make the error look smaller the more there is of
+    // it: it counts only where all is saturated
+    const label soil = total[0] > 0 ? 0 : 1;
+
     return sqrt
     (
         max
         (
-            error[0]/max(total[0], VSMALL),
-            error[1]/max(total[1], VSMALL)
+            error[soil]/max(total[soil], VSMALL),
+            error[2]/max(total[2], VSMALL)
         )
     );
 }

@@ -149,6 +149,7 @@ Foam::subsurfaceFlow::subsurfaceFlow
     cellStates_(mesh.nCells()),
     boundaryStates_(mesh.nFaces() - mesh.nInternalFaces()),
     storageOld_(mesh.nCells(), Zero),
+    saturatedOld_(mesh.nCells()),
     faceFlux_(mesh.nFaces(), Zero),
     pointFlux_(mesh.nFaces(), Zero),
     fluxScale_(0)
@@ -268,8 +269,8 @@ void Foam::subsurfaceFlow::localError
 (
     const FixedList<scalar, 3>& weights,
     const scalar dt,
-    scalar& error,
-    scalar& total
+    Pair<scalar>& error,
+    Pair<scalar>& total
 ) const
 {
     const scalarField& V = mesh_.V();
@@ -277,14 +278,16 @@ void Foam::subsurfaceFlow::localError
     forAll(cellStates_, celli)
     {
         const scalar storage = cellStates_[celli].storage;
+        const bool saturated =
+            cellStates_[celli].tau >= 0 && saturatedOld_.test(celli);
 
-        error += V[celli]*sqr
+        error[saturated] += V[celli]*sqr
         (
             weights[0]*(storage - storageOld_[celli])/dt
           + weights[1]*storageRate_[celli]
           + weights[2]*storageRateOld_[celli]
         );
-        total += V[celli]*sqr(storage);
+        total[saturated] += V[celli]*sqr(storage);
     }
 }
 

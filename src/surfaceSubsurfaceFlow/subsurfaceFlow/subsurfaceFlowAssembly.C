@@ -230,6 +230,7 @@ void Foam::subsurfaceFlow::beginStep()
     forAll(cellStates_, celli)
     {
         storageOld_[celli] = cellStates_[celli].storage;
+        saturatedOld_.set(celli, cellStates_[celli].tau >= 0);
     }
 
     volScalarField::Boundary& psiBf = psi_.boundaryFieldRef();
