@@ -303,6 +303,7 @@ void Foam::coupledFlow::update
 
     const scalarField from(unknowns_);
     const scalar norm = matrix_->norm();
+    const scalar imbalance = matrix_->imbalance();
     scalar fraction = 1;
 
     for (label halving = 0; halving <= maxHalvings; ++halving)
@@ -319,7 +320,9 @@ void Foam::coupledFlow::update
         }
         assemble();
 
-        if (matrix_->norm() < norm)
+        // While a column fills residuals of both signs may grow, and their sum
+        // falls
+        if (matrix_->norm() < norm || matrix_->imbalance() < imbalance)
         {
             break;
         }
@@ -335,6 +338,10 @@ bool Foam::coupledFlow::iterate(const part solved)
     const scalar ceased = 0.5;
     const scalar many = 100;
 
+    // Share of the imbalance whose loss is worth more iterations: where a front
+    // passes many cells in a step they fill one after the other
+    const scalar worth = 0.5;
+
     part_ = solved;
 
     setStates();
@@ -345,6 +352,10 @@ bool Foam::coupledFlow::iterate(const part solved)
     scalarField change(unknowns_.size(), Zero);
     scalar norm = matrix_->norm();
     scalar previousNorm = GREAT;
+
+    // Iterations that are allowed, and the imbalance when they were
+    label nAllowed = maxIterations_;
+    scalar allowedFrom = matrix_->imbalance();
 
     // The last iteration started from a small residual, and from where
     bool polished = false;
@@ -390,7 +401,13 @@ bool Foam::coupledFlow::iterate(const part solved)
             p.converged = !p.dried;
         }
 
-        if (p.converged || p.dried || n >= maxIterations_ || !(norm < GREAT))
+        if (n >= nAllowed && imbalance < worth*allowedFrom)
+        {
+            nAllowed += maxIterations_;
+            allowedFrom = imbalance;
+        }
+
+        if (p.converged || p.dried || n >= nAllowed || !(norm < GREAT))
         {
             return p.converged;
         }

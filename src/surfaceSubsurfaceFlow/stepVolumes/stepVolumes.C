@@ -78,9 +78,8 @@ void Foam::stepVolumes::setMaxChanges
     const scalarField& room
 )
 {
-    // Multiples of what flowed: in smooth flow changes are smaller than the
-    // first, and at the foot of an unsaturated front they reach the sum
-    const scalar withoutRoom = 0.5;
+    // Multiple of what flowed: at the foot of an unsaturated front changes reach
+    // this sum
     const scalar withRoom = 16;
 
     const auto share = [&](const label i)
@@ -96,7 +95,7 @@ void Foam::stepVolumes::setMaxChanges
                 second < 0 ? share(first) : min(share(first), share(second));
 
             maxChange_[place] =
-                (withoutRoom + withRoom*roomy)*mag(history_[place]);
+                withRoom*sqr(roomy)*mag(history_[place]);
         }
     );
 

@@ -208,6 +208,9 @@ void Foam::subsurfaceFlow::capacities
     SubList<scalar> room
 ) const
 {
+    // Rise of the head over which saturated soil takes up water [m]
+    const scalar headRise = 1e4;
+
     const scalarField& V = mesh_.V();
 
     List<soilTable::state> dry(tables_.size());
@@ -237,7 +240,7 @@ void Foam::subsurfaceFlow::capacities
         room[celli] =
             s.tau < 0
           ? V[celli]*(storageAt(full[cellSoil[celli]]) - s.storage)
-          : scalar(GREAT);
+          : V[celli]*headRise*s.dStorage/s.dHead;
     }
 }
 
