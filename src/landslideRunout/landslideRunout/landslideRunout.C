@@ -131,7 +131,7 @@ Foam::landslideRunout::landslideRunout
     thetaName_(options.getOrDefault<word>("theta", "theta")),
     stabilityName_(options.getOrDefault<word>("stability", "slopeStability")),
     soilPropertiesName_(constantName(options, "soilProperties")),
-    properties_(constantIO(constantName(options, "mpmProperties"))),
+    properties_(readProperties(time, options)),
     rhoWater_(0),
     g_(readGravity()),
     frame_(properties_, g_),

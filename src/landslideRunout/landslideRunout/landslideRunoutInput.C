@@ -131,6 +131,50 @@ Foam::word Foam::landslideRunout::constantName
 }
 
 
+Foam::IOdictionary Foam::landslideRunout::readProperties
+(
+    const Time& time,
+    const dictionary& options
+)
+{
+    const IOdictionary dict
+    (
+        readDictionary
+        (
+            IOobject
+            (
+                constantName(options, "mpmProperties"),
+                time.constant(),
+                time,
+                IOobject::MUST_READ,
+                IOobject::NO_WRITE,
+                false
+            )
+        )
+    );
+
+    const wordList dictionaries
+    ({
+        "section", "points", "numerics", "initialState", "walls", "slide",
+        "verdict"
+    });
+
+    // Other values may be variables that entries refer to
+    wordList values({"dimension"});
+    for (const entry& e : dict)
+    {
+        if (!e.isDict() && !dictionaries.found(e.keyword()))
+        {
+            values.append(e.keyword());
+        }
+    }
+
+    checkKeys(dict, values, dictionaries);
+
+    return dict;
+}
+
+
 Foam::vector Foam::landslideRunout::readGravity() const
 {
     return uniformDimensionedVectorField(constantIO("g")).value();
@@ -139,7 +183,7 @@ Foam::vector Foam::landslideRunout::readGravity() const
 
 void Foam::landslideRunout::readSoils()
 {
-    const IOdictionary dict(constantIO(soilPropertiesName_));
+    const IOdictionary dict(readDictionary(constantIO(soilPropertiesName_)));
     const dictionary& soilsDict = dict.subDict("soils");
 
     const scalar defaultRhoWater = 1000;
@@ -246,6 +290,23 @@ mpm::Settings Foam::landslideRunout::settings(const slidePoints& points) const
         }
     );
 
+    if
+    (
+        s.shapeFunction == "linear"
+     && (
+            s.transferScheme == "APIC"
+         || s.transferScheme == "TPIC"
+         || s.transferScheme == "AFLIP"
+        )
+    )
+    {
+        IOWarningInFunction(dict)
+            << "shapeFunction linear with transferScheme "
+            << s.transferScheme.c_str() << ": the velocity gradient that the"
+            << " points carry has no bound where a node is nearly empty, and"
+            << " breaks slides whose points cross cells" << endl;
+    }
+
     return s;
 }
 
@@ -262,8 +323,9 @@ mpm::StartSettings Foam::landslideRunout::startSettings
         dict,
         {
             "type", "K0", "elasticTime", "relaxationTime", "restVelocity",
-            "addedCohesion", "stableStrength"
-        }
+            "addedCohesion"
+        },
+        {"stableStrength"}
     );
 
     mpm::StartSettings s;
@@ -285,6 +347,16 @@ mpm::StartSettings Foam::landslideRunout::startSettings
         );
     }
 
+    mpmChecked
+    (
+        dict,
+        "checking initialState",
+        [&]()
+        {
+            s.validate(points.size());
+        }
+    );
+
     return s;
 }
 
@@ -296,6 +368,8 @@ std::vector<mpm::WallSettings> Foam::landslideRunout::walls
 {
     const dictionary& dict = properties_.subDict("walls");
     std::vector<mpm::WallSettings> result;
+
+    checkKeys(dict, wordList(), dict.toc());
 
     for (const word& name : dict.toc())
     {
@@ -362,6 +436,9 @@ Foam::word Foam::landslideRunout::digest
     append(sha, points.cohesionIntercept);
     append(sha, points.frictionAngle);
     append(sha, points.porePressure);
+    append(sha, points.velocity);
+    append(sha, points.sigma);
+    append(sha, points.equivalentPlasticStrain);
 
     for (const mpm::WallSettings& wall : walls)
     {
@@ -382,20 +459,7 @@ bool Foam::landslideRunout::needsNoMesh
     const dictionary& options
 )
 {
-    const IOdictionary dict
-    (
-        IOobject
-        (
-            constantName(options, "mpmProperties"),
-            time.constant(),
-            time,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
-    );
-
-    return dict.subDict("points").found("file");
+    return readProperties(time, options).subDict("points").found("file");
 }
 
 

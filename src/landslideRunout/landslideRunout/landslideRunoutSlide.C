@@ -51,7 +51,7 @@ void Foam::landslideRunout::start
     mpm::Run& run,
     slideState& state,
     slideRecord& record,
-    const slidePoints& points
+    const mpm::StartSettings& settings
 ) const
 {
     bool restored = false;
@@ -81,7 +81,7 @@ void Foam::landslideRunout::start
         "bringing the soil to rest",
         [&]()
         {
-            report(run.establishStart(startSettings(points)));
+            report(run.establishStart(settings));
         }
     );
 }
@@ -96,6 +96,7 @@ Foam::landslideRunout::outcome Foam::landslideRunout::slide
     const cpuTime clock;
     const mpm::PointData data(points.data());
     const mpm::Settings runSettings(settings(points));
+    const mpm::StartSettings beginning(startSettings(points));
 
     Info<< "    " << points.size() << " points, cells of "
         << points.cellSize() << " m, " << label(walls.size()) << " walls; "
@@ -137,9 +138,19 @@ Foam::landslideRunout::outcome Foam::landslideRunout::slide
             << time_.timePath() << endl;
     }
 
+    mpmChecked
+    (
+        properties_.subDict("slide"),
+        "checking slide",
+        [&]()
+        {
+            run->checkDuration("endTime", control_.endTime());
+        }
+    );
+
     slideRecord record(outputFolder()/time_.timeName(), frame_);
 
-    start(*run, state, record, points);
+    start(*run, state, record, beginning);
     record.startLoads(*run);
 
     mpm::Diagnostics d(run->diagnostics());
@@ -197,6 +208,15 @@ Foam::landslideRunout::outcome Foam::landslideRunout::slide
     }
 
     record.writeFinal(*run);
+    if (control_.writesFinalState())
+    {
+        points.write
+        (
+            outputFolder()/time_.timeName()/"final.csv",
+            *run,
+            runSettings.axisymmetric()
+        );
+    }
 
     Info<< "    " << label(run->stepNumber()) << " steps to "
         << run->time() << " s of sliding"

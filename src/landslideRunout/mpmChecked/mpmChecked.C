@@ -25,6 +25,8 @@ License
 #include "HashSet.H"
 #include "ListOps.H"
 
+#include "sigFpe.H"
+
 #include <exception>
 #include <stdexcept>
 
@@ -70,20 +72,58 @@ void Foam::mpmChecked
 }
 
 
-void Foam::checkKeys(const dictionary& dict, const wordList& valid)
+const Foam::dictionary& Foam::checkKeys
+(
+    const dictionary& dict,
+    const wordList& values,
+    const wordList& dictionaries
+)
 {
-    const wordHashSet known(valid);
-
     for (const entry& e : dict)
     {
-        if (!e.keyword().isPattern() && !known.found(e.keyword()))
+        if (e.keyword().isPattern())
         {
+            continue;
+        }
+
+        const bool isValue = values.found(e.keyword());
+        const bool isDictionary = dictionaries.found(e.keyword());
+
+        if (!isValue && !isDictionary)
+        {
+            wordList valid(values);
+            valid.append(dictionaries);
+
             FatalIOErrorInFunction(dict)
                 << "Unknown key " << e.keyword() << " in " << dict.name() << nl
                 << "    Valid keys: " << flatOutput(valid)
                 << exit(FatalIOError);
         }
+
+        if (e.isDict() ? !isDictionary : !isValue)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry '" << e.keyword() << "' of " << dict.name() << " is "
+                << (
+                       e.isDict()
+                     ? "a dictionary, and has to be a value"
+                     : "a value, and has to be a dictionary"
+                   )
+                << exit(FatalIOError);
+        }
     }
+
+    return dict;
+}
+
+
+Foam::IOdictionary Foam::readDictionary(const IOobject& io)
+{
+    // Overflow is trapped while numbers are read, before the reader can say
+    // which it was
+    const sigFpe::ignore untrapped;
+
+    return IOdictionary(io);
 }
 
 // ************************************************************************* //

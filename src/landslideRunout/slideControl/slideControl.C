@@ -58,25 +58,30 @@ bool Foam::slideControl::listed(const scalar time) const
 
 Foam::slideControl::slideControl(const dictionary& dict)
 :
-    mode_(runModeNames.getOrDefault("run", dict, runMode::ALWAYS)),
+    mode_(runMode::ALWAYS),
     factorOfSafety_(1),
     times_(),
     endTime_(0),
     writeInterval_(0),
     pointInterval_(0),
-    stopAtRest_(dict.getOrDefault("stopAtRest", true)),
+    stopAtRest_(true),
     restDuration_(0),
-    restGrowth_(0)
+    restGrowth_(0),
+    finalState_(false)
 {
     checkKeys
     (
         dict,
         {
             "run", "factorOfSafety", "times", "endTime", "writeInterval",
-            "pointInterval", "stopAtRest", "restDuration", "restGrowth"
+            "pointInterval", "stopAtRest", "restDuration", "restGrowth",
+            "finalState"
         }
     );
 
+    mode_ = runModeNames.getOrDefault("run", dict, mode_);
+    stopAtRest_ = dict.getOrDefault("stopAtRest", stopAtRest_);
+    finalState_ = dict.getOrDefault("finalState", finalState_);
     dict.readIfPresent("times", times_);
 
     const auto positive = [](const scalar x){ return x > 0; };
@@ -88,8 +93,11 @@ Foam::slideControl::slideControl(const dictionary& dict)
     (
         dict,
         "writeInterval",
-        [this](const scalar x){ return x > 0 && x <= endTime_; },
-        "0 < writeInterval <= endTime s"
+        [this](const scalar x)
+        {
+            return x > 0 && x <= endTime_ && x*maxRows_ >= endTime_;
+        },
+        "0 < writeInterval <= endTime s, and no more than a million of them"
     );
     pointInterval_ = readCheckedOrDefault
     (
@@ -209,7 +217,11 @@ Foam::label Foam::slideControl::rowAt(const scalar time) const
 bool Foam::slideControl::writesPoints(const label n) const
 {
     const label every =
-        max(label(1), label(pointInterval_/writeInterval_ + 0.5));
+        max
+        (
+            label(1),
+            label(min(pointInterval_/writeInterval_ + 0.5, 2*maxRows_))
+        );
 
     return n % every == 0 || n == lastRow();
 }

@@ -21,6 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "slideFrame.H"
+#include "mpmChecked.H"
 #include "IOstreams.H"
 #include "transform.H"
 
@@ -41,7 +42,14 @@ Foam::slideFrame::slideFrame(const dictionary& dict, const vector& g)
 
     if (dimension_ == 2)
     {
-        section_.reset(new mappingSection(dict.subDict("section"), g));
+        section_.reset
+        (
+            new mappingSection
+            (
+                checkKeys(dict.subDict("section"), {"origin", "direction"}),
+                g
+            )
+        );
         return;
     }
 

@@ -58,6 +58,21 @@ Foam::label Foam::slidePoints::readPerEdge
 }
 
 
+void Foam::slidePoints::checkCellSize(const vector& place) const
+{
+    const scalar n = cmptMax(cmptMag(place))/spacing();
+
+    if (n >= labelMax/2)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "cellSize " << cellSize_ << " m is too small: from the origin to"
+            << " the points, as far as " << place << ", are " << n
+            << " of their distances"
+            << exit(FatalIOError);
+    }
+}
+
+
 void Foam::slidePoints::setSize(const label n)
 {
     position_.setSize(n, Zero);
@@ -89,7 +104,17 @@ Foam::slidePoints::slidePoints
     const PtrList<soilMechanics>& soils
 )
 :
-    dict_(dict),
+    dict_
+    (
+        checkKeys
+        (
+            dict,
+            {
+                "cellSize", "perCell", "zones", "xLimits", "yLimits",
+                "zLimits", "file"
+            }
+        )
+    ),
     frame_(frame),
     soils_(soils),
     cellSize_
@@ -104,14 +129,6 @@ Foam::slidePoints::slidePoints
     ),
     perEdge_(readPerEdge(dict, frame.dimension()))
 {
-    checkKeys
-    (
-        dict,
-        {
-            "cellSize", "perCell", "zones", "xLimits", "yLimits", "zLimits",
-            "file"
-        }
-    );
 }
 
 
@@ -235,6 +252,23 @@ mpm::PointData Foam::slidePoints::data() const
         points.porePressure.push_back(porePressure_[i]);
     }
 
+    for (const vector& v : velocity_)
+    {
+        points.velocity.push_back(toMpm(v));
+    }
+    for (const symmTensor& s : sigma_)
+    {
+        points.sigma.push_back
+        ({{
+            s.xx(), s.yy(), s.zz(), s.xy(), s.yz(), s.xz()
+        }});
+    }
+    points.equivalentPlasticStrain.assign
+    (
+        plasticStrain_.begin(),
+        plasticStrain_.end()
+    );
+
     return points;
 }
 
@@ -263,6 +297,15 @@ void Foam::slidePoints::strengthOf
 ) const
 {
     wordList names;
+    forAll(soils_, soili)
+    {
+        if (soils_.set(soili))
+        {
+            names.append(soils_[soili].name());
+        }
+    }
+    checkKeys(soilsDict, wordList(), names);
+
     PtrList<soilMechanics> others(soils_.size());
 
     forAll(soils_, soili)
@@ -274,14 +317,11 @@ void Foam::slidePoints::strengthOf
 
         const soilMechanics& soil = soils_[soili];
 
-        names.append(soil.name());
-
         if (const dictionary* dictPtr = soilsDict.findDict(soil.name()))
         {
             others.set(soili, new soilMechanics(soil, *dictPtr));
         }
     }
-    checkKeys(soilsDict, names);
 
     cohesionIntercept.assign
     (

@@ -23,16 +23,26 @@ License
 #include "slidePoints.H"
 #include "Pstream.H"
 #include "mpmChecked.H"
+#include "outputFolder.H"
 #include "readChecked.H"
 #include "HashSet.H"
 
 #include <fstream>
+#include <limits>
+#include <map>
 #include <sstream>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
+
+// Names of the components of vectors and of symmetric tensors
+static const FixedList<word, 3> vectorComponents({"x", "y", "z"});
+static const FixedList<word, 6> tensorComponents
+(
+    {"xx", "xy", "xz", "yy", "yz", "zz"});
+
 
 // The values of a line, separated by commas, without blanks around them
 static DynamicList<word> splitLine(const std::string& line)
@@ -87,29 +97,57 @@ void Foam::slidePoints::setColumn
     }
 
     std::size_t end = 0;
-    scalar number = 0;
+    scalar result = 0;
 
     try
     {
-        number = std::stod(value, &end);
+        result = std::stod(value, &end);
     }
     catch (const std::exception&)
     {
         end = 0;
     }
 
-    if (end == 0 || end != value.size() || !std::isfinite(number))
+    if (end == 0 || end != value.size() || !std::isfinite(result))
     {
         throw std::invalid_argument(column + ": '" + value + "' is no number");
     }
 
-    const FixedList<word, 3> axes({"x", "y", "z"});
-    const label axis = axes.find(column);
+    const bool positive = (column == "volume" || column == "rho");
+    const bool notNegative = (column == "equivalentPlasticStrain");
 
-    if (axis != -1)
+    if ((positive && result <= 0) || (notNegative && result < 0))
     {
-        position_[pointi][axis] = number;
-        return;
+        throw std::invalid_argument
+        (
+            column + ": " + value + " is not " + (positive ? "> 0" : ">= 0")
+        );
+    }
+
+    number(pointi, column) = result;
+}
+
+
+Foam::scalar& Foam::slidePoints::number
+(
+    const label pointi,
+    const word& column
+)
+{
+    const auto last = column.find('_');
+
+    if (column.size() == 1)
+    {
+        return position_[pointi][vectorComponents.find(column)];
+    }
+    if (last != std::string::npos)
+    {
+        const word component(column.substr(last + 1));
+
+        return
+            column.startsWith("velocity")
+          ? velocity_[pointi][vectorComponents.find(component)]
+          : sigma_[pointi][tensorComponents.find(component)];
     }
 
     scalarField& field =
@@ -119,10 +157,103 @@ void Foam::slidePoints::setColumn
       : column == "rho" ? rho_
       : column == "porePressure" ? porePressure_
       : column == "frictionAngle" ? frictionAngle_
+      : column == "equivalentPlasticStrain" ? plasticStrain_
       : cohesionIntercept_
     );
 
-    field[pointi] = number;
+    return field[pointi];
+}
+
+
+Foam::List<Foam::wordList> Foam::slidePoints::fileColumns() const
+{
+    const bool section = (frame_.dimension() == 2);
+    wordList places({"x", "y", "soil"});
+    wordList velocities({"velocity_x", "velocity_y"});
+    wordList stresses({"sigma_xx", "sigma_yy", "sigma_zz", "sigma_xy"});
+
+    if (!section)
+    {
+        places.append("z");
+        velocities.append("velocity_z");
+        stresses.append(wordList({"sigma_yz", "sigma_xz"}));
+    }
+
+    List<wordList> result({places, velocities, stresses});
+
+    for
+    (
+        const word& name :
+        wordList
+        ({
+            "volume", "theta", "rho", "porePressure", "cohesionIntercept",
+            "frictionAngle", "equivalentPlasticStrain"
+        })
+    )
+    {
+        result.append(wordList(1, name));
+    }
+    if (section)
+    {
+        result.append(wordList(1, word("z")));
+    }
+
+    return result;
+}
+
+
+void Foam::slidePoints::checkColumns
+(
+    const fileName& file,
+    const wordList& names
+) const
+{
+    const List<wordList> columns(fileColumns());
+    const wordHashSet given(names);
+
+    wordList valid;
+    for (const wordList& together : columns)
+    {
+        valid.append(together);
+    }
+
+    for (const word& name : names)
+    {
+        if (!valid.found(name))
+        {
+            FatalIOErrorInFunction(dict_)
+                << "file: " << file << ", line 1: unknown column " << name << nl
+                << "    Valid columns: " << flatOutput(valid)
+                << exit(FatalIOError);
+        }
+    }
+    if (given.size() != names.size())
+    {
+        FatalIOErrorInFunction(dict_)
+            << "file: " << file << ", line 1: a column is named twice in "
+            << flatOutput(names)
+            << exit(FatalIOError);
+    }
+
+    forAll(columns, i)
+    {
+        // Place and soil are needed, of the others all that go together
+        bool needed = (i == 0);
+        for (const word& name : columns[i])
+        {
+            needed = needed || given.found(name);
+        }
+
+        for (const word& name : columns[i])
+        {
+            if (needed && !given.found(name))
+            {
+                FatalIOErrorInFunction(dict_)
+                    << "file: " << file << ", line 1: lacks the column " << name
+                    << exit(FatalIOError);
+            }
+        }
+    }
 }
 
 
@@ -130,12 +261,6 @@ void Foam::slidePoints::setColumn
 
 void Foam::slidePoints::read(const fileName& casePath, const scalar rhoWater)
 {
-    const wordList valid
-    ({
-        "x", "y", "z", "soil", "volume", "theta", "rho", "porePressure",
-        "cohesionIntercept", "frictionAngle"
-    });
-
     fileName file(dict_.get<fileName>("file"));
     file.expand();
     if (!file.isAbsolute())
@@ -155,45 +280,35 @@ void Foam::slidePoints::read(const fileName& casePath, const scalar rhoWater)
 
     const wordList names(splitLine(line));
     const wordHashSet given(names);
-
-    for (const word& name : names)
-    {
-        if (!valid.found(name))
-        {
-            FatalIOErrorInFunction(dict_)
-                << "file: " << file << " has an unknown column " << name << nl
-                << "    Valid columns: " << flatOutput(valid)
-                << exit(FatalIOError);
-        }
-    }
-
-    for (const word& needed : wordList({"x", "y", "soil"}))
-    {
-        if (!given.found(needed))
-        {
-            FatalIOErrorInFunction(dict_)
-                << "file: " << file << " lacks the column " << needed
-                << exit(FatalIOError);
-        }
-    }
+    checkColumns(file, names);
 
     DynamicList<DynamicList<word>> rows;
-    while (std::getline(is, line))
+    DynamicList<label> lineNumbers;
+
+    // The line of names is the first
+    for (label lineNumber = 2; std::getline(is, line); ++lineNumber)
     {
         if (line.find_first_not_of(" \t\r") != std::string::npos)
         {
             rows.append(splitLine(line));
+            lineNumbers.append(lineNumber);
         }
     }
 
     setSize(rows.size());
+    velocity_.setSize(given.found("velocity_x") ? size() : 0, Zero);
+    sigma_.setSize(given.found("sigma_xx") ? size() : 0, Zero);
+    plasticStrain_.setSize
+    (
+        given.found("equivalentPlasticStrain") ? size() : 0,
+        Zero
+    );
 
     forAll(rows, pointi)
     {
-        // The line of names is the first
         const string where
         (
-            file + ", row " + Foam::name(pointi + 2) + ": "
+            file + ", line " + Foam::name(lineNumbers[pointi]) + ": "
         );
 
         mpmChecked
@@ -231,6 +346,8 @@ void Foam::slidePoints::read(const fileName& casePath, const scalar rhoWater)
 
         setStrength(pointi);
 
+        checkCellSize(position_[pointi]);
+
         if (given.found("cohesionIntercept"))
         {
             cohesionIntercept_[pointi] = cohesionIntercept;
@@ -245,6 +362,104 @@ void Foam::slidePoints::read(const fileName& casePath, const scalar rhoWater)
                 soils_[soil_[pointi]].bulkDensity(theta_[pointi], rhoWater);
         }
     }
+}
+
+
+void Foam::slidePoints::write
+(
+    const fileName& file,
+    const mpm::Run& run,
+    const bool axisymmetric
+) const
+{
+    // The engine's order of a stress is xx yy zz xy yz zx
+    struct source
+    {
+        word column;
+        std::string field;
+        label component;
+    };
+
+    DynamicList<source> sources
+    ({
+        {"x", "position", 0}, {"y", "position", 1},
+        {"velocity_x", "velocity", 0}, {"velocity_y", "velocity", 1},
+        {"sigma_xx", "sigma", 0}, {"sigma_yy", "sigma", 1},
+        {"sigma_zz", "sigma", 2}, {"sigma_xy", "sigma", 3},
+        {"volume", "volume", 0}, {"rho", "rho", 0},
+        {"porePressure", "porePressure", 0},
+        {"cohesionIntercept", "cohesionIntercept", 0},
+        {"frictionAngle", "frictionAngle", 0},
+        {"equivalentPlasticStrain", "equivalentPlasticStrain", 0}
+    });
+
+    if (frame_.dimension() == 3)
+    {
+        sources.append
+        ({
+            {"z", "position", 2}, {"velocity_z", "velocity", 2},
+            {"sigma_yz", "sigma", 4}, {"sigma_xz", "sigma", 5}
+        });
+    }
+
+    // Only the master has the values
+    std::map<std::string, std::vector<double>> fields
+    ({
+        {"zone", run.field("zone")}
+    });
+    for (const source& s : sources)
+    {
+        if (!fields.count(s.field))
+        {
+            fields[s.field] = run.field(s.field);
+        }
+    }
+
+    if (!run.master())
+    {
+        return;
+    }
+    if (axisymmetric)
+    {
+        // From one radian to a section 1 m thick
+        for (std::size_t i = 0; i < run.nPoints(); ++i)
+        {
+            fields["volume"][i] /= fields["position"][3*i];
+        }
+    }
+
+    const std::vector<mpm::Material> soils(materials());
+    makeOutputFolder(file.path());
+    const fileName unfinished(file + ".unfinished");
+    {
+        std::ofstream os(unfinished);
+        os.precision(std::numeric_limits<scalar>::max_digits10);
+
+        os << "soil";
+        for (const source& s : sources)
+        {
+            os << ',' << s.column;
+        }
+        for (std::size_t i = 0; i < run.nPoints(); ++i)
+        {
+            os << '\n' << soils[std::size_t(fields["zone"][i])].name;
+            for (const source& s : sources)
+            {
+                const std::size_t n = mpm::Run::nComponents(s.field);
+                os << ',' << fields[s.field][n*i + s.component];
+            }
+        }
+        os << '\n';
+
+        if (!os.flush())
+        {
+            FatalErrorInFunction
+                << "Can't write the file " << unfinished
+                << exit(FatalError);
+        }
+    }
+
+    replaceByComplete(unfinished, file);
 }
 
 // ************************************************************************* //

@@ -29,14 +29,28 @@ License
 Foam::pointField Foam::slidePoints::lattice(const Pair<vector>& corners) const
 {
     // Point i is at (i + 0.5)*spacing, so cells begin at multiples of cellSize
+    checkCellSize(corners.first());
+    checkCellSize(corners.second());
+
     const scalar h = spacing();
     Vector<label> first(Zero);
     Vector<label> last(Zero);
+    scalar n = 1;
 
     for (direction cmpt = 0; cmpt < frame_.dimension(); ++cmpt)
     {
         first[cmpt] = std::ceil(corners.first()[cmpt]/h - 0.5);
         last[cmpt] = std::floor(corners.second()[cmpt]/h - 0.5);
+        n *= max(scalar(0), scalar(last[cmpt]) - first[cmpt] + 1);
+    }
+
+    if (n > labelMax)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "cellSize " << cellSize_ << " m is too small: " << n
+            << " points between " << corners.first() << " and "
+            << corners.second()
+            << exit(FatalIOError);
     }
 
     // A section has no third direction
@@ -113,9 +127,9 @@ Foam::Pair<Foam::vector> Foam::slidePoints::limits(const fvMesh& mesh) const
     {
         if (dict_.found(keys[cmpt]))
         {
-            const auto range(dict_.get<Pair<scalar>>(keys[cmpt]));
+            const auto range(dict_.get<vector2D>(keys[cmpt]));
 
-            if (range.first() >= range.second())
+            if (range.x() >= range.y())
             {
                 FatalIOErrorInFunction(dict_)
                     << keys[cmpt] << ' ' << range
@@ -123,8 +137,8 @@ Foam::Pair<Foam::vector> Foam::slidePoints::limits(const fvMesh& mesh) const
                     << exit(FatalIOError);
             }
 
-            given.first()[cmpt] = range.first();
-            given.second()[cmpt] = range.second();
+            given.first()[cmpt] = range.x();
+            given.second()[cmpt] = range.y();
         }
     }
 

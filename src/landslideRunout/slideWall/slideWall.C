@@ -145,16 +145,26 @@ void Foam::slideWall::refusePointsInside
 }
 
 
-void Foam::slideWall::warnOfThin
+void Foam::slideWall::checkThickness
 (
     const slidePoints& points,
     const vector& extent
 ) const
 {
     const scalar least = 2*points.cellSize();
+    const scalar leastOfAll = 0.01*points.cellSize();
 
     for (direction cmpt = 0; cmpt < points.frame().dimension(); ++cmpt)
     {
+        if (extent[cmpt] < leastOfAll)
+        {
+            FatalIOErrorInFunction(dict_)
+                << "The wall " << name_ << " is " << extent[cmpt]
+                << " m thick, which the grid with its cellSize of "
+                << points.cellSize() << " m can't see"
+                << exit(FatalIOError);
+        }
+
         if (extent[cmpt] < least)
         {
             IOWarningInFunction(dict_)

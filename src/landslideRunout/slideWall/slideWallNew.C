@@ -30,6 +30,14 @@ Foam::autoPtr<Foam::slideWall> Foam::slideWall::New
     const dictionary& dict
 )
 {
+    if (dict.isDict("type"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'type' of " << dict.name()
+            << " is a dictionary, and has to be a value"
+            << exit(FatalIOError);
+    }
+
     const word type(dict.get<word>("type"));
 
     const auto it = dictionaryConstructorTablePtr_->cfind(type);

@@ -140,8 +140,9 @@ Foam::soilMechanics::soilMechanics
         {
             "rhoDry", "cohesion", "frictionAngle", "dilationAngle", "E", "nu",
             "constitutiveModel", "druckerPragerFit", "tensileStrength",
-            "viscosity", "softening"
-        }
+            "viscosity"
+        },
+        {"softening"}
     );
 
     rhoDry_ = readChecked(dict, "rhoDry", positive, "> 0 kg/m3");

@@ -55,6 +55,10 @@ void mpm::PointCloud<Dim>::assign
             data.cohesionIntercept.empty() ? 0.0 : data.cohesionIntercept[j];
         porePressure[i] =
             data.porePressure.empty() ? 0.0 : data.porePressure[j];
+        plasticStrain[i] =
+            data.equivalentPlasticStrain.empty()
+          ? 0.0
+          : data.equivalentPlasticStrain[j];
         id[i] = std::int32_t(j);
     }
     leftCauchyGreen.clear();

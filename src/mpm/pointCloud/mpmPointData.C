@@ -80,6 +80,7 @@ void mpm::PointData::validate
     optional("porePressure", porePressure.size());
     optional("velocity", velocity.size());
     optional("sigma", sigma.size());
+    optional("equivalentPlasticStrain", equivalentPlasticStrain.size());
 
     const auto finite = [](const double v, const std::size_t i, const char* q)
     {
@@ -139,6 +140,15 @@ void mpm::PointData::validate
         {
             finite(s, i, "sigma");
         }
+    }
+    for (std::size_t i = 0; i < equivalentPlasticStrain.size(); ++i)
+    {
+        const double strain = equivalentPlasticStrain[i];
+        requireOf
+        (
+            strain >= 0 && std::isfinite(strain),
+            i, "equivalentPlasticStrain", strain, ">= 0"
+        );
     }
 }
 

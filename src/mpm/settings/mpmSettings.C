@@ -138,25 +138,6 @@ void mpm::Settings::validate(const int dimension) const
         );
     }
 
-    if
-    (
-        shapeFunction == "linear"
-     && (
-            transferScheme == "APIC"
-         || transferScheme == "TPIC"
-         || transferScheme == "AFLIP"
-        )
-    )
-    {
-        throw std::invalid_argument
-        (
-            "shapeFunction linear with transferScheme " + transferScheme
-          + ": the velocity gradient that its points carry has no bound where "
-            "a node is nearly empty. Use transferScheme FLIP, XPIC or PIC, or "
-            "another shapeFunction"
-        );
-    }
-
     require(flipTime > 0, "flipTime", flipTime, "> 0 [s]");
     require
     (

@@ -474,6 +474,7 @@ void mpm::Simulation<Dim>::advance(const double endTime)
         range << ">= the present time, " << clock_.time << " s";
         outOfRange("end time", endTime, range.str());
     }
+    checkDuration("time to advance", endTime - clock_.time);
 
     const Good good(keep());
     try

@@ -21,11 +21,13 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "mpmEnergy.H"
+#include "mpmNames.H"
 #include "mpmReduce.H"
 #include "mpmSimulation.H"
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -155,6 +157,31 @@ double mpm::Simulation<Dim>::kthSmallest
 
 
 template<int Dim>
+void mpm::Simulation<Dim>::checkDuration
+(
+    const std::string& name,
+    const double duration
+) const
+{
+    // Days for the smallest run
+    const double maxSteps = 1e8;
+    const double deltaT = stableDeltaT();
+
+    if (!(duration <= maxSteps*deltaT))
+    {
+        std::ostringstream range;
+        range
+            << "more than " << maxSteps << " time steps of " << deltaT
+            << " s (cfl " << state_.settings.cfl << ", cellSize "
+            << state_.settings.cellSize << " m, maxDeltaT "
+            << state_.settings.maxDeltaT << " s, fastest wave "
+            << std::sqrt(clock_.wave2) << " m/s)";
+        outOfRange(name + " [s]", duration, range.str());
+    }
+}
+
+
+template<int Dim>
 mpm::Diagnostics mpm::Simulation<Dim>::diagnostics() const
 {
     const Settings& settings = state_.settings;
@@ -266,6 +293,11 @@ mpm::Diagnostics mpm::Simulation<Dim>::diagnostics() const
 #define instantiate(Dim)                                                       \
     template void mpm::Simulation<Dim>::startAccount();                        \
     template void mpm::Simulation<Dim>::addEnergies(Diagnostics&) const;       \
+    template void mpm::Simulation<Dim>::checkDuration                          \
+    (                                                                          \
+        const std::string&,                                                    \
+        double                                                                 \
+    ) const;                                                                   \
     template double mpm::Simulation<Dim>::kthSmallest                          \
     (                                                                          \
         const std::vector<double>&,                                            \

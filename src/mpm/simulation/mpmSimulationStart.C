@@ -300,12 +300,14 @@ mpm::StartReport mpm::Simulation<Dim>::comeToRest
     else if (settings.type == "elasticGravity")
     {
         state_.elastic = true;
+        checkDuration("elasticTime", settings.elasticTime);
         relax(settings.elasticTime, settings.restVelocity, report);
         state_.elastic = false;
         halt();
         report.atRest = false;
     }
     std::fill(cloud.plasticStrain.begin(), cloud.plasticStrain.end(), 0.0);
+    checkDuration("relaxationTime", settings.relaxationTime);
     relax(settings.relaxationTime, settings.restVelocity, report);
 
     // What the soil did on its way to rest
@@ -330,17 +332,54 @@ mpm::StartReport mpm::Simulation<Dim>::comeToRest
     report.maxDisplacement = maxima[moved];
     report.yieldedFraction = double(yielded[0])/double(nPoints_);
 
-    // A new beginning
     halt();
+    std::fill(cloud.plasticStrain.begin(), cloud.plasticStrain.end(), 0.0);
+    cloud.release();
+    state_.starting = false;
+    begin(report);
+
+    return report;
+}
+
+
+template<int Dim>
+mpm::StartReport mpm::Simulation<Dim>::goOnAsGiven
+(
+    const StartSettings& settings
+)
+{
+    StartReport report;
+    wakeAll(state_);
+    begin(report);
+
+    const PointCloud<Dim>& cloud = state_.cloud;
+    std::vector<ExactSum> energy(1);
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+    {
+        for (const double v : cloud.v[i])
+        {
+            energy[0].add(0.5*cloud.mass[i]*v*v);
+        }
+    }
+    std::vector<double> nothing;
+    reduceExact(*state_.communicator, nothing, energy);
+    report.rmsVelocity = std::sqrt(2*energy[0].value()/totalMass_);
+    report.atRest = report.rmsVelocity < settings.restVelocity;
+
+    return report;
+}
+
+
+template<int Dim>
+void mpm::Simulation<Dim>::begin(StartReport& report)
+{
+    PointCloud<Dim>& cloud = state_.cloud;
     std::fill
     (
         cloud.displacement.begin(), cloud.displacement.end(), Vector<Dim>{}
     );
-    std::fill(cloud.plasticStrain.begin(), cloud.plasticStrain.end(), 0.0);
     std::fill(cloud.yielding.begin(), cloud.yielding.end(), 0);
     std::fill(cloud.dilation.begin(), cloud.dilation.end(), 0.0);
-    cloud.release();
-    state_.starting = false;
 
     clock_ = Clock();
     clearLoads();
@@ -348,10 +387,15 @@ mpm::StartReport mpm::Simulation<Dim>::comeToRest
     sort();
     measureSides();
     startAccount();
-    report.outOfBalance = outOfBalance();
     measureExcess(report);
 
-    return report;
+    const std::vector<Vector<Dim>> v(cloud.v);
+    const std::vector<Tensor<Dim>> C(cloud.C);
+    std::fill(cloud.v.begin(), cloud.v.end(), Vector<Dim>{});
+    std::fill(cloud.C.begin(), cloud.C.end(), Tensor<Dim>{});
+    report.outOfBalance = outOfBalance();
+    cloud.v = v;
+    cloud.C = C;
 }
 
 
@@ -368,7 +412,10 @@ mpm::StartReport mpm::Simulation<Dim>::establishStart
     const Good good(keep());
     try
     {
-        return comeToRest(settings);
+        return
+            settings.type == "given"
+          ? goOnAsGiven(settings)
+          : comeToRest(settings);
     }
     catch (const std::exception&)
     {
@@ -390,6 +437,11 @@ mpm::StartReport mpm::Simulation<Dim>::establishStart
     (                                                                          \
         const StartSettings&                                                   \
     );                                                                         \
+    template mpm::StartReport mpm::Simulation<Dim>::goOnAsGiven                \
+    (                                                                          \
+        const StartSettings&                                                   \
+    );                                                                         \
+    template void mpm::Simulation<Dim>::begin(StartReport&);                   \
     template mpm::StartReport mpm::Simulation<Dim>::establishStart             \
     (                                                                          \
         const StartSettings&                                                   \

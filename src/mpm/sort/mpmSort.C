@@ -58,7 +58,8 @@ typename BlockGrid<Dim>::Coordinates blockOf
         message
             << " ) is farther from the origin of the grid than "
             << BlockGrid<Dim>::maxBlock << " blocks of "
-            << BlockGrid<Dim>::edge << " cells";
+            << BlockGrid<Dim>::edge << " cells: its cellSize is "
+            << state.settings.cellSize << " m";
         throw std::invalid_argument(message.str());
     }
     return at;

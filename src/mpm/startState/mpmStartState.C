@@ -31,7 +31,7 @@ const std::vector<std::string>& mpm::StartSettings::types()
 {
     static const std::vector<std::string> names
     {
-        "columnK0", "elasticGravity", "none"
+        "columnK0", "elasticGravity", "none", "given"
     };
     return names;
 }
@@ -42,7 +42,11 @@ const std::vector<std::string>& mpm::StartSettings::types()
 void mpm::StartSettings::validate(const std::size_t nPoints) const
 {
     choose("initialState type", type, types());
-    require(std::isfinite(K0), "K0", K0, ">= 0, or negative: 1 - sin(phi')");
+    require
+    (
+        K0 <= 100 && std::isfinite(K0),
+        "K0", K0, "0 to 100, or negative: 1 - sin(phi')"
+    );
     require(elasticTime >= 0, "elasticTime", elasticTime, ">= 0 [s]");
     require
     (

@@ -66,8 +66,8 @@ void Foam::slideWalls::bodySlideWall::append
         dict(),
         "scale",
         1,
-        [](const scalar x){ return x > 0; },
-        "> 0 m"
+        [](const scalar x){ return x > 0 && x <= 1e6; },
+        "0 < scale <= 1e6 m"
     );
     const bodyDistance distance
     (
@@ -85,7 +85,7 @@ void Foam::slideWalls::bodySlideWall::append
     distance.fill(wall);
 
     refusePointsInside(points, wall.signedDistance);
-    warnOfThin(points, distance.bounds().span());
+    checkThickness(points, distance.bounds().span());
 
     walls.push_back(wall);
 }

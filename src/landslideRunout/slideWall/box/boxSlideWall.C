@@ -95,7 +95,7 @@ void Foam::slideWalls::boxSlideWall::append
             return beyond;
         }
     );
-    warnOfThin(points, high - low);
+    checkThickness(points, high - low);
 
     walls.push_back(wall);
 }

@@ -22,6 +22,7 @@ License
 
 #include "terrainSlideWall.H"
 #include "addToRunTimeSelectionTable.H"
+#include "labelVector.H"
 #include "readChecked.H"
 #include "slidePoints.H"
 #include "wallSurface.H"
@@ -72,8 +73,8 @@ void Foam::slideWalls::terrainSlideWall::append
             dict(),
             "scale",
             1,
-            [](const scalar x){ return x > 0; },
-            "> 0 m"
+            [](const scalar x){ return x > 0 && x <= 1e6; },
+            "0 < scale <= 1e6 m"
         );
 
         wallSurface(dict(), caseFile("file"), scale).fillTerrain(wall, frame);
@@ -90,11 +91,12 @@ void Foam::slideWalls::terrainSlideWall::append
 
     if (frame.dimension() == 3)
     {
-        typedef FixedList<label, 3> corners;
+        const List<labelVector> triangles
+        (
+            dict().get<List<labelVector>>("triangles")
+        );
 
-        const List<corners> triangles(dict().get<List<corners>>("triangles"));
-
-        for (const corners& t : triangles)
+        for (const labelVector& t : triangles)
         {
             wall.triangles.push_back({{int(t[0]), int(t[1]), int(t[2])}});
         }

@@ -192,9 +192,9 @@ void Foam::slopeSafety::readLimits
         return;
     }
 
-    const auto limits(dict_.get<Pair<scalar>>(key));
+    const auto limits(dict_.get<vector2D>(key));
 
-    if (limits.first() >= limits.second())
+    if (limits.x() >= limits.y())
     {
         FatalIOErrorInFunction(dict_)
             << key << ' ' << limits
@@ -202,8 +202,8 @@ void Foam::slopeSafety::readLimits
             << exit(FatalIOError);
     }
 
-    low = limits.first();
-    high = limits.second();
+    low = limits.x();
+    high = limits.y();
 }
 
 
@@ -371,10 +371,10 @@ Foam::slopeSafety::slopeSafety
         (
             dict_,
             {
-                "FoamFile", "section", "methods", "minDepth", "entryLimits",
-                "exitLimits", "zones", "groundPatch", "sampling",
-                "soilProperties", "psi", "theta", "h"
-            }
+                "methods", "minDepth", "entryLimits", "exitLimits", "zones",
+                "groundPatch", "soilProperties", "psi", "theta", "h"
+            },
+            {"FoamFile", "section", "sampling"}
         );
         dict_.merge(settings);
     }

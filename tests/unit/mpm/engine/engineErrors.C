@@ -161,15 +161,6 @@ TEST_CASE("numbers out of range are named with their range")
     checkSays(complaint(s, data), {"gravity[2]", "-9.81"});
 
     s = settings(2, 0.1);
-    for (const char* affine : {"APIC", "TPIC", "AFLIP"})
-    {
-        s = settings(2, 0.1);
-        s.shapeFunction = "linear";
-        s.transferScheme = affine;
-        checkSays(complaint(s, data), {"linear", affine, "FLIP"});
-    }
-
-    s = settings(2, 0.1);
     s.xpicOrder = 0;
     checkSays(complaint(s, data), {"xpicOrder", "0", "20"});
 

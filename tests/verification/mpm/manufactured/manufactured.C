@@ -127,10 +127,6 @@ void verification::manufactured(Checks& checks, const bool longVersion)
             const Method method{shape, transfer};
             const bool linear = shape == "linear";
             const bool pic = transfer == "PIC";
-            if (linear && method.affine())
-            {
-                continue;
-            }
 
             // On the square cells are pressed by a third: where weights know
             // nothing of the points' size, few points a cell end the
