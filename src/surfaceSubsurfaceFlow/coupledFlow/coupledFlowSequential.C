@@ -23,6 +23,8 @@ License
 #include "coupledFlow.H"
 #include "readChecked.H"
 
+#include <cmath>
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::label Foam::coupledFlow::readCoupling(const dictionary& controls)
@@ -50,8 +52,8 @@ Foam::label Foam::coupledFlow::readCoupling(const dictionary& controls)
         controls,
         "nCouplingIterations",
         1,
-        [](const scalar n) { return n >= 1; },
-        ">= 1"
+        [](const scalar n) { return n >= 1 && n == std::floor(n); },
+        "a whole number >= 1"
     );
 }
 

@@ -99,9 +99,9 @@ Foam::scalar Foam::coupledMatrix::norm() const
 }
 
 
-Foam::scalar Foam::coupledMatrix::imbalance() const
+Foam::scalar Foam::coupledMatrix::imbalance(const label n) const
 {
-    return mag(gSum(residual_));
+    return mag(gSum(scalarField(SubList<scalar>(residual_, n))));
 }
 
 

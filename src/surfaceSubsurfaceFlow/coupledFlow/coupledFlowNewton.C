@@ -1,0 +1,299 @@
+/*---------------------------------------------------------------------------*\
+    slideFoam | from rain to runout
+    Copyright (C) 2026 the slideFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of slideFoam.
+
+    slideFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by the
+    Free Software Foundation, either version 3 of the License, or (at your
+    option) any later version.
+
+    slideFoam is distributed in the hope that it will be useful, but WITHOUT
+    ANY WARRANTY; without even the implied warranty of MERCHANTABILITY or
+    FITNESS FOR A PARTICULAR PURPOSE. See the GNU General Public License for
+    more details.
+
+    You should have received a copy of the GNU General Public License along
+    with slideFoam. If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "coupledFlow.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static bool allFinite(const UList<scalar>& values)
+{
+    for (const scalar value : values)
+    {
+        if (!std::isfinite(value))
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::coupledFlow::limits Foam::coupledFlow::residualLimits() const
+{
+    // Round-off of storages and fluxes, of which the residual is a difference
+    const scalar roundOff = 4*std::numeric_limits<scalar>::epsilon();
+
+    // Water moved by the step, water there is, water that passes faces
+    scalarList volumes(3, Zero);
+
+    water_->addMoved(volumes[0], volumes[1]);
+    if (soil_)
+    {
+        soil_->addMoved(*volumes_, volumes[0], volumes[1]);
+        volumes[0] += sumMag(infiltration()());
+        volumes[2] += step_.length()*soil_->fluxScale();
+    }
+    if (sources_)
+    {
+        volumes[0] += sources_->inflow() + sources_->outflow();
+    }
+    if (overland_)
+    {
+        volumes[2] += step_.length()*overland_->fluxScale();
+    }
+
+    Pstream::listCombineGather(volumes, plusEqOp<scalar>());
+    Pstream::listCombineScatter(volumes);
+
+    // What is left in single cells goes into their next step, so that only the
+    // sum has to be small
+    const scalar single = 100;
+
+    limits result;
+    result.balance = tolerance_*volumes[0] + roundOff*volumes[1];
+    result.noise = roundOff*(volumes[1] + volumes[2]);
+    result.norm = single*tolerance_*volumes[0] + result.noise;
+
+    return result;
+}
+
+
+Foam::scalar Foam::coupledFlow::imbalance() const
+{
+    return matrix_->imbalance
+    (
+        part_ == part::soil ? start_ : unknowns_.size()
+    );
+}
+
+
+Foam::scalar Foam::coupledFlow::chopped
+(
+    const label i,
+    const scalar from,
+    const scalar step
+) const
+{
+    // Just beyond a bend, where the derivatives are those of the other side
+    const scalar beyond = 1e-12;
+
+    // No head is beyond this [m]
+    const scalar largest = 1e10;
+
+    const scalar to = min(max(from + step, -largest), largest);
+
+    if (!soil_ || part_ == part::runoff)
+    {
+        return max(to, scalar(0));
+    }
+
+    scalar result = to;
+
+    const auto stopAt = [&](const scalar bend)
+    {
+        if (from < bend && result > bend)
+        {
+            result = min(result, bend + beyond);
+        }
+        else if (from > bend && result < bend)
+        {
+            result = max(result, bend - beyond);
+        }
+    };
+
+    const label celli =
+        i < start_ ? i : mesh_.faceOwner()[ground_.faces()[i - start_]];
+    const scalar dryEnd = soil_->table(celli).dryEnd();
+
+    stopAt(0);
+    stopAt(dryEnd);
+    if (sources_)
+    {
+        stopAt(dryEnd + waterSource::last);
+    }
+    if (i >= start_)
+    {
+        stopAt(water_->dryUnknown(i - start_));
+    }
+
+    return result;
+}
+
+
+void Foam::coupledFlow::update
+(
+    const scalarField& step,
+    const bool renew,
+    const bool search
+)
+{
+    const label maxHalvings = search ? 6 : 0;
+
+    const scalarField from(unknowns_);
+    const scalar norm = matrix_->norm();
+    const scalar imbalance = this->imbalance();
+    scalar fraction = 1;
+
+    for (label halving = 0; halving <= maxHalvings; ++halving)
+    {
+        forAll(unknowns_, i)
+        {
+            unknowns_[i] = chopped(i, from[i], fraction*step[i]);
+        }
+
+        setStates();
+        if (renew && halving == 0)
+        {
+            renewLagged(true);
+        }
+        assemble();
+
+        // While a column fills residuals of both signs may grow, and their sum
+        // falls
+        if (matrix_->norm() < norm || this->imbalance() < imbalance)
+        {
+            break;
+        }
+        fraction *= 0.5;
+    }
+}
+
+
+bool Foam::coupledFlow::iterate(const part solved)
+{
+    // Share of the former residual at which it has ceased to fall, and
+    // multiple of round-off at which this is no trouble
+    const scalar ceased = 0.5;
+    const scalar many = 100;
+
+    // Share of the imbalance whose loss is worth more iterations: where a front
+    // passes many cells in a step they fill one after the other
+    const scalar worth = 0.5;
+
+    part_ = solved;
+
+    setStates();
+    renewLagged(false);
+    assemble();
+
+    performance& p = performance_;
+    scalarField change(unknowns_.size(), Zero);
+    scalar norm = matrix_->norm();
+    scalar previousNorm = GREAT;
+
+    // Iterations that are allowed, and the imbalance when they were
+    label nAllowed = maxIterations_;
+    scalar allowedFrom = imbalance();
+
+    // The latest iteration started from a small residual, and from where
+    bool polished = false;
+    struct
+    {
+        scalarField unknowns;
+        scalar imbalance = 0;
+    } rest;
+
+    if (p.iterations == 0)
+    {
+        p.initialResidual = norm;
+    }
+
+    for (label n = 0; ; ++n)
+    {
+        const limits limit(residualLimits());
+
+        p.finalResidual = norm;
+        p.limit = limit.norm;
+
+        const bool small = (norm <= limit.norm);
+        const scalar imbalance = this->imbalance();
+
+        if (polished && imbalance > rest.imbalance)
+        {
+            unknowns_ = rest.unknowns;
+            setStates();
+            assemble();
+        }
+
+        p.converged =
+            (small && imbalance <= limit.balance)
+         || (polished && imbalance > ceased*rest.imbalance)
+         || (
+                norm <= limit.norm + many*limit.noise
+             && norm > ceased*previousNorm
+            );
+
+        if (p.converged && soil_)
+        {
+            p.dried = returnReduce(soil_->driedCell() >= 0, orOp<bool>());
+            p.converged = !p.dried;
+        }
+
+        if (n >= nAllowed && imbalance < worth*allowedFrom)
+        {
+            nAllowed += maxIterations_;
+            allowedFrom = imbalance;
+        }
+
+        if (p.converged || p.dried || n >= nAllowed || !(norm < GREAT))
+        {
+            return p.converged;
+        }
+
+        {
+            const workTimes::section timed(times_, workTimes::linearSolver);
+            p.linearIterations += solver_.solve(*matrix_, change);
+        }
+        ++p.iterations;
+
+        if (returnReduce(!allFinite(change), orOp<bool>()))
+        {
+            p.singular = true;
+            return false;
+        }
+
+        // Iterations that bring the balance in order, unless nothing but round-off
+        // is left
+        polished = small;
+        if (small)
+        {
+            rest.unknowns = unknowns_;
+            rest.imbalance = imbalance;
+        }
+        update(change, !small && n + 1 < nCorrectors_, !small);
+
+        previousNorm = norm;
+        norm = matrix_->norm();
+    }
+}
+
+// ************************************************************************* //
