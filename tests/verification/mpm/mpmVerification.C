@@ -62,6 +62,7 @@ int main(int argc, char* argv[])
         {"waterTableInside", waterTableInside},
         {"verticalCut", verticalCut},
         {"energyAccount", energyAccount},
+        {"rodCollapse", rodCollapse},
         {"hoopStrain", hoopStrain},
         {"sleep", verification::sleep}
     };
