@@ -64,6 +64,7 @@ Description
 #include "steadyState.H"
 #include "timeStepControl.H"
 #include "waterBalance.H"
+#include "wholeTimes.H"
 
 using namespace Foam;
 
@@ -80,6 +81,9 @@ int main(int argc, char *argv[])
     steadyState::addOptions();
 
     #include "setRootCaseLists.H"
+
+    setUnfinishedTimesAside(args);
+
     #include "createTime.H"
     #include "createMesh.H"
 
@@ -126,7 +130,7 @@ int main(int argc, char *argv[])
 
         {
             const workTimes::section timed(water.times(), workTimes::output);
-            runTime.write();
+            writeWhole(runTime);
         }
         runTime.printExecutionTime(Info);
     }
