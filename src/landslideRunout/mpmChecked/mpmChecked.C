@@ -22,8 +22,6 @@ License
 
 #include "mpmChecked.H"
 #include "error.H"
-#include "HashSet.H"
-#include "ListOps.H"
 
 #include "sigFpe.H"
 
@@ -69,51 +67,6 @@ void Foam::mpmChecked
     FatalErrorInFunction
         << "While " << activity.c_str() << ": " << message.c_str()
         << exit(FatalError);
-}
-
-
-const Foam::dictionary& Foam::checkKeys
-(
-    const dictionary& dict,
-    const wordList& values,
-    const wordList& dictionaries
-)
-{
-    for (const entry& e : dict)
-    {
-        if (e.keyword().isPattern())
-        {
-            continue;
-        }
-
-        const bool isValue = values.found(e.keyword());
-        const bool isDictionary = dictionaries.found(e.keyword());
-
-        if (!isValue && !isDictionary)
-        {
-            wordList valid(values);
-            valid.append(dictionaries);
-
-            FatalIOErrorInFunction(dict)
-                << "Unknown key " << e.keyword() << " in " << dict.name() << nl
-                << "    Valid keys: " << flatOutput(valid)
-                << exit(FatalIOError);
-        }
-
-        if (e.isDict() ? !isDictionary : !isValue)
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry '" << e.keyword() << "' of " << dict.name() << " is "
-                << (
-                       e.isDict()
-                     ? "a dictionary, and has to be a value"
-                     : "a value, and has to be a dictionary"
-                   )
-                << exit(FatalIOError);
-        }
-    }
-
-    return dict;
 }
 
 

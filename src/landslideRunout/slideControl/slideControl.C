@@ -21,7 +21,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "slideControl.H"
-#include "mpmChecked.H"
 #include "readChecked.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //

@@ -21,7 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "slideFrame.H"
-#include "mpmChecked.H"
+#include "readChecked.H"
 #include "IOstreams.H"
 #include "transform.H"
 

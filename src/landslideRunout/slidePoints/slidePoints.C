@@ -22,7 +22,6 @@ License
 
 #include "slidePoints.H"
 #include "fieldToPointMapping.H"
-#include "mpmChecked.H"
 #include "pointTable.H"
 #include "readChecked.H"
 

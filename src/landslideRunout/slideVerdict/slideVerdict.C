@@ -21,7 +21,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "slideVerdict.H"
-#include "mpmChecked.H"
 #include "readChecked.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //

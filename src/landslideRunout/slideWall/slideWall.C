@@ -21,7 +21,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "slideWall.H"
-#include "mpmChecked.H"
 #include "OSspecific.H"
 #include "readChecked.H"
 #include "slidePoints.H"

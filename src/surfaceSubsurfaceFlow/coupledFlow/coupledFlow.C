@@ -233,6 +233,16 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh)
     step_(),
     performance_()
 {
+    checkKeys
+    (
+        controls_,
+        {
+            "maxIterations", "tolerance", "nNonOrthogonalCorrectors",
+            "coupling", "nCouplingIterations", "faceFlux", "timeScheme"
+        },
+        {"timeStep", "steady"}
+    );
+
     if (given(mesh, "overlandProperties"))
     {
         overland_.reset(new overlandFlow(mesh, ground_));

@@ -21,6 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "hydrographs.H"
+#include "readChecked.H"
 #include "planPolyline.H"
 #include "processorFaPatch.H"
 #include "restartState.H"
@@ -81,15 +82,7 @@ void Foam::hydrographs::addLines(const dictionary& dict)
                 << exit(FatalIOError);
         }
 
-        for (const entry& inner : e.dict())
-        {
-            if (inner.keyword() != "points")
-            {
-                FatalIOErrorInFunction(e.dict())
-                    << "Unknown key " << inner.keyword()
-                    << " of a line; it has points" << exit(FatalIOError);
-            }
-        }
+        checkKeys(e.dict(), {"points"});
 
         for (const gauge& other : gauges_)
         {

@@ -21,6 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "overlandFlow.H"
+#include "readChecked.H"
 #include "pondedWater.H"
 #include "stepVolumes.H"
 #include "groundField.H"
@@ -324,6 +325,23 @@ Foam::overlandFlow::overlandFlow(const fvMesh& mesh, groundSurface& ground)
     surroundings_(aMesh_, geometry_),
     fluxScale_(0)
 {
+    const word friction
+    (
+        properties_.getOrDefault<word>("frictionModel", "manning")
+    );
+    checkKeys
+    (
+        properties_,
+        {
+            "groundPatch", "overlandFlowModel", "slopeFloor", "slope",
+            "frictionModel", friction, "depressionStorage", "rainfall"
+        },
+        {
+            friction + "Zones", "depressionStorageZones", "rainfall",
+            "rainfallCoeffs", "outlets", "hydrographs"
+        }
+    );
+
     // Construction from a temporary field does not keep this
     for
     (

@@ -146,6 +146,7 @@ Foam::steadyState::steadyState
     change_(GREAT)
 {
     const dictionary& dict = water.controls().subOrEmptyDict("steady");
+    checkKeys(dict, {"rain", "tolerance", "maxSteps"});
 
     tolerance_ = readCheckedOrDefault
     (

@@ -167,6 +167,12 @@ Foam::timeStepControl::timeStepControl
     rejections_(0)
 {
     const dictionary& dict = controls.subOrEmptyDict("timeStep");
+    checkKeys
+    (
+        dict,
+        {"localError", "fewIterations", "growth", "cut", "maxCuts"}
+    );
+
     const auto positive = [](const scalar x) { return x > 0; };
 
     localError_ = readCheckedOrDefault

@@ -58,7 +58,14 @@ Foam::soilHydraulics::soilHydraulics(const word& name, const dictionary& dict)
             "Ss >= 0 [1/m]"
         )
     )
-{}
+{
+    checkKeys
+    (
+        dict,
+        {"Ks", "Ss", "anisotropy", "fields"},
+        {"retention", "relativePermeability"}
+    );
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 

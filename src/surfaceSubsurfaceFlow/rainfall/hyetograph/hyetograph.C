@@ -21,6 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "hyetograph.H"
+#include "readChecked.H"
 #include "Tuple2.H"
 
 #include <algorithm>
@@ -165,6 +166,20 @@ Foam::Function1Types::hyetograph::hyetograph
     after_(0),
     record_()
 {
+    // Without a dictionary of its own it shares that of its entry
+    if (dict.found("type"))
+    {
+        checkKeys
+        (
+            dict,
+            {
+                "type", "values", "depths", "start", "file", "separator",
+                "unit", "timeUnit", "timeColumn", "rainColumn", "origin",
+                "interval", "stamp", "gapPolicy", "missing"
+            }
+        );
+    }
+
     const scalar start(dict.lookupOrDefault<scalar>("start", 0));
 
     const label nGiven =

@@ -21,6 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "rasterRain.H"
+#include "readChecked.H"
 #include "rainUnit.H"
 #include "readChoice.H"
 #include "csvTable.H"
@@ -279,6 +280,15 @@ Foam::rainfalls::raster::raster
     rates_(),
     total_(0)
 {
+    checkKeys
+    (
+        dict,
+        {
+            "type", "unit", "grids", "end", "origin", "outside", "noData",
+            "gapPolicy"
+        }
+    );
+
     const fileNameList files(readGrids(dict));
     const asciiGrid first(files[0], dict);
     const Map<label> used(setShares(first, plan));

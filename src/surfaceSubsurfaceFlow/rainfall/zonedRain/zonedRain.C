@@ -21,6 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "zonedRain.H"
+#include "readChecked.H"
 #include "groundPlan.H"
 #include "groundField.H"
 #include "addToRunTimeSelectionTable.H"
@@ -50,6 +51,13 @@ Foam::rainfalls::zones::zones
     faces_(),
     areas_()
 {
+    checkKeys
+    (
+        dict,
+        {"type", "elsewhere"},
+        {"zones", "elsewhere", "elsewhereCoeffs"}
+    );
+
     const dictionary& zoneDict = dict.subDict("zones");
     const wordList names(zoneDict.toc());
 

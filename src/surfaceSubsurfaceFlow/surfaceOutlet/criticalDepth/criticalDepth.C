@@ -21,6 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "criticalDepth.H"
+#include "readChecked.H"
 #include "standardGravity.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -46,7 +47,9 @@ Foam::surfaceOutlets::criticalDepth::criticalDepth
 )
 :
     surfaceOutlet(patchName, length, dict)
-{}
+{
+    checkKeys(dict, {"type"});
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -58,7 +58,9 @@ Foam::surfaceOutlets::normalDepth::normalDepth
             "slope > 0"
         )
     )
-{}
+{
+    checkKeys(dict, {"type", "slope"});
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

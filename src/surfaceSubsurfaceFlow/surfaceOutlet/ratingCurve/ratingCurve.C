@@ -21,6 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "ratingCurve.H"
+#include "readChecked.H"
 #include "csvTable.H"
 #include "readChoice.H"
 #include "addToRunTimeSelectionTable.H"
@@ -107,6 +108,15 @@ Foam::surfaceOutlets::ratingCurve::ratingCurve
       : List<Tuple2<scalar, scalar>>(dict.lookup("curve"))
     )
 {
+    checkKeys
+    (
+        dict,
+        {
+            "type", "curve", "discharge", "file", "separator", "depthColumn",
+            "dischargeColumn"
+        }
+    );
+
     check(dict);
 
     const bool total =

@@ -117,6 +117,13 @@ Foam::waterSources::evaporation::evaporation
     vapour_(0),
     demand_(0)
 {
+    checkKeys
+    (
+        dict,
+        {"type", "rate", "relativeHumidity", "temperature"},
+        {"rate", "rateCoeffs"}
+    );
+
     // Molar mass of water [kg/mol] and gas constant [J/(mol K)]
     const scalar M = 0.018015;
     const scalar R = 8.314463;

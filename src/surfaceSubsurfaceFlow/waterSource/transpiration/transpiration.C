@@ -175,6 +175,16 @@ Foam::waterSources::transpiration::transpiration
     area_(),
     demand_(0)
 {
+    checkKeys
+    (
+        dict,
+        {
+            "type", "rate", "groundPatch", "rootDensity", "rootDepth",
+            "stressHeads"
+        },
+        {"rate", "rateCoeffs", "rootDensity", "rootDensityCoeffs"}
+    );
+
     distribute(dict);
 }
 

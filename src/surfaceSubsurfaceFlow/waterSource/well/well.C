@@ -21,6 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "well.H"
+#include "readChecked.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -69,6 +70,8 @@ Foam::waterSources::well::well
     part_(),
     volume_(0)
 {
+    checkKeys(dict, {"type", "rate", "cellZone"}, {"rate", "rateCoeffs"});
+
     const word zoneName(dict.get<word>("cellZone"));
     const label zonei = mesh_.cellZones().findZoneID(zoneName);
 

@@ -60,7 +60,9 @@ Foam::relativePermeabilityModels::gardnerPermeability::gardnerPermeability
         )
     ),
     saturationHead_(retention.saturationHead())
-{}
+{
+    checkKeys(dict, {"type", "alpha"});
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 

@@ -21,6 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "haverkampPermeability.H"
+#include "readChecked.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -50,6 +51,8 @@ Foam::relativePermeabilityModels::haverkampPermeability::haverkampPermeability
     relativePermeabilityModel(),
     curve_(dict, "A", "gamma"),
     saturationHead_(retention.saturationHead())
-{}
+{
+    checkKeys(dict, {"type", "A", "gamma", "headUnit"});
+}
 
 // ************************************************************************* //

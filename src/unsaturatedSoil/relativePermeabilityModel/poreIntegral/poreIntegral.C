@@ -43,6 +43,8 @@ Foam::relativePermeabilityModels::poreIntegral::poreIntegral
     exponent_(exponent),
     l_(defaultL)
 {
+    checkKeys(dict, {"type", "l"});
+
     if (!retention.hasPoreIntegral(power))
     {
         FatalIOErrorInFunction(dict)

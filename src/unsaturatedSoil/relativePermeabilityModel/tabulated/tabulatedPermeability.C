@@ -21,6 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "tabulatedPermeability.H"
+#include "readChecked.H"
 #include "tabulatedRetention.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -116,6 +117,12 @@ Foam::relativePermeabilityModels::tabulatedPermeability::tabulatedPermeability
     relativePermeabilityModel(),
     table_(readTable(dict, retention)),
     logKr_(table_.suction(), logarithms(), table_.cubic())
-{}
+{
+    checkKeys
+    (
+        dict,
+        {"type", "values", "file", "separator", "headUnit", "interpolation"}
+    );
+}
 
 // ************************************************************************* //

@@ -62,7 +62,9 @@ Foam::waterRetentionModels::brooksCorey::brooksCorey(const dictionary& dict)
             "lambda > 0"
         )
     )
-{}
+{
+    checkKeys(dict, {"type", "thetaS", "thetaR", "airEntryHead", "lambda"});
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 

@@ -60,7 +60,9 @@ Foam::waterRetentionModels::gardnerRetention::gardnerRetention
             "alpha > 0 [1/m]"
         )
     )
-{}
+{
+    checkKeys(dict, {"type", "thetaS", "thetaR", "alpha"});
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 

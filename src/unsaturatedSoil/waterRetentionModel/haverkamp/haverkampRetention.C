@@ -21,6 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "haverkampRetention.H"
+#include "readChecked.H"
 #include "addToRunTimeSelectionTable.H"
 
 #include <cmath>
@@ -50,7 +51,9 @@ Foam::waterRetentionModels::haverkampRetention::haverkampRetention
 :
     waterRetentionModel(dict),
     curve_(dict, "alpha", "beta")
-{}
+{
+    checkKeys(dict, {"type", "thetaS", "thetaR", "alpha", "beta", "headUnit"});
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 

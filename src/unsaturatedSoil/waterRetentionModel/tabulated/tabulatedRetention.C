@@ -115,7 +115,16 @@ Foam::waterRetentionModels::tabulatedRetention::tabulatedRetention
 )
 :
     tabulatedRetention(dict, readTable(dict))
-{}
+{
+    checkKeys
+    (
+        dict,
+        {
+            "type", "thetaR", "values", "file", "separator", "headUnit",
+            "interpolation"
+        }
+    );
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 

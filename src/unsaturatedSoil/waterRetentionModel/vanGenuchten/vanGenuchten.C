@@ -149,6 +149,12 @@ Foam::waterRetentionModels::vanGenuchten::vanGenuchten(const dictionary& dict)
     logSc_(0),
     logSaturatedPores_(0)
 {
+    checkKeys
+    (
+        dict,
+        {"type", "thetaS", "thetaR", "alpha", "m", "n", "airEntryHead"}
+    );
+
     if (saturationHead_ < 0)
     {
         logSc_ = -m_*logOnePlusExp(logX(saturationHead_));
