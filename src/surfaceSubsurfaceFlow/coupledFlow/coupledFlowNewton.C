@@ -153,15 +153,18 @@ void Foam::coupledFlow::update
 (
     const scalarField& step,
     const bool renew,
-    const bool search
+    const bool search,
+    scalar& leastImbalance
 )
 {
     const label maxHalvings = search ? 6 : 0;
 
     const scalarField from(unknowns_);
     const scalar norm = matrix_->norm();
-    const scalar imbalance = this->imbalance();
     scalar fraction = 1;
+
+    // By which residuals may grow whose sum is less than ever
+    const scalar growth = 10;
 
     for (label halving = 0; halving <= maxHalvings; ++halving)
     {
@@ -178,8 +181,12 @@ void Foam::coupledFlow::update
         assemble();
 
         // While a column fills residuals of both signs may grow, and their sum
-        // falls
-        if (matrix_->norm() < norm || this->imbalance() < imbalance)
+        // falls. It falls for good: else two states could follow one another
+        const scalar imbalance = this->imbalance();
+        const bool record = (imbalance < leastImbalance);
+        leastImbalance = min(leastImbalance, imbalance);
+
+        if (matrix_->norm() < (record ? growth : 1)*norm)
         {
             break;
         }
@@ -213,6 +220,7 @@ bool Foam::coupledFlow::iterate(const part solved)
     // Iterations that are allowed, and the imbalance when they were
     label nAllowed = maxIterations_;
     scalar allowedFrom = imbalance();
+    scalar leastImbalance = allowedFrom;
 
     // The latest iteration started from a small residual, and from where
     bool polished = false;
@@ -289,7 +297,13 @@ bool Foam::coupledFlow::iterate(const part solved)
             rest.unknowns = unknowns_;
             rest.imbalance = imbalance;
         }
-        update(change, !small && n + 1 < nCorrectors_, !small);
+        update
+        (
+            change,
+            !small && n + 1 < nCorrectors_,
+            !small,
+            leastImbalance
+        );
 
         previousNorm = norm;
         norm = matrix_->norm();
