@@ -67,7 +67,7 @@ void Foam::slideWalls::bodySlideWall::append
         "scale",
         1,
         [](const scalar x){ return x > 0 && x <= 1e6; },
-        "0 < scale <= 1e6 m"
+        "> 0 m, up to 1e6"
     );
     const bodyDistance distance
     (
