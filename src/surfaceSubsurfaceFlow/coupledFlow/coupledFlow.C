@@ -226,6 +226,7 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh)
     unknownsOld_(),
     leftOver_(),
     remainder_(),
+    keptRemainder_(),
     part_(part::all),
     hasRunoff_(false),
     hasGround_(false),
@@ -302,6 +303,8 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh)
 
     unknowns_.setSize(start_ + ground_.size(), Zero);
     leftOver_.setSize(unknowns_.size(), Zero);
+    keptRemainder_.reset(new stepRemainder(mesh, ground_, start_));
+    keptRemainder_->get(leftOver_);
 
     SubList<scalar> groundUnknowns(unknowns_, ground_.size(), start_);
     water_->initialise(initialHeads(), groundUnknowns);

@@ -202,6 +202,10 @@ bool Foam::coupledFlow::iterate(const part solved)
     const scalar ceased = 0.5;
     const scalar many = 100;
 
+    // Multiple of its limit that the imbalance may then have: more of it is
+    // water that nobody sent
+    const scalar tolerated = 10;
+
     // Share of the imbalance whose loss is worth more iterations: where a front
     // passes many cells in a step they fill one after the other
     const scalar worth = 0.5;
@@ -244,21 +248,33 @@ bool Foam::coupledFlow::iterate(const part solved)
 
         const bool small = (norm <= limit.norm);
         const scalar imbalance = this->imbalance();
+        p.imbalance = imbalance;
+        p.imbalanceLimit = limit.balance;
 
-        if (polished && imbalance > rest.imbalance)
+        const bool restBetter = polished && rest.imbalance < imbalance;
+
+        // Nothing but round-off seems to be left
+        const bool atRest =
+            (polished && imbalance > ceased*rest.imbalance)
+         || (
+                norm <= limit.norm + many*limit.noise
+             && norm > ceased*previousNorm
+            );
+
+        p.converged =
+            (small && imbalance <= limit.balance)
+         || (
+                atRest
+             && (restBetter ? rest.imbalance : imbalance)
+             <= tolerated*limit.balance
+            );
+
+        if (p.converged && restBetter)
         {
             unknowns_ = rest.unknowns;
             setStates();
             assemble();
         }
-
-        p.converged =
-            (small && imbalance <= limit.balance)
-         || (polished && imbalance > ceased*rest.imbalance)
-         || (
-                norm <= limit.norm + many*limit.noise
-             && norm > ceased*previousNorm
-            );
 
         if (p.converged && soil_)
         {

@@ -247,6 +247,7 @@ void Foam::coupledFlow::accept()
 {
     unknownsOld_ = unknowns_;
     leftOver_ = remainder_;
+    keptRemainder_->keep(leftOver_);
 
     volumes_->end();
     water_->endStep(step_.length());
@@ -268,6 +269,7 @@ void Foam::coupledFlow::forgetSteps()
     volumes_->clear();
     volumes_->end();
     leftOver_ = Zero;
+    keptRemainder_->keep(leftOver_);
 
     if (history_)
     {

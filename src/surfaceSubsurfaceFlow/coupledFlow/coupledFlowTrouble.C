@@ -101,8 +101,9 @@ Foam::string Foam::coupledFlow::trouble() const
             os  << "the linear system has no solution, ";
         }
         os  << "residual " << performance_.finalResidual
-            << " m3, limit " << performance_.limit
-            << " m3, the largest part, " << overall << " m3, in ";
+            << " m3, limit " << performance_.limit << " m3, sum "
+            << performance_.imbalance << " m3, limit "
+            << performance_.imbalanceLimit << " m3, the largest part, " << overall << " m3, in ";
     }
     os  << places[speaker].c_str();
 
@@ -117,11 +118,18 @@ Foam::string Foam::coupledFlow::trouble() const
 
 void Foam::coupledFlow::stop(const label nCuts) const
 {
+    OStringStream why;
+    why << "which " << nCuts << " cuts brought to " << step_.length() << " s";
+    stop(string(why.str()));
+}
+
+
+void Foam::coupledFlow::stop(const string& why) const
+{
     FatalErrorInFunction
-        << "No solution of the step from t = " << step_.start << " s, which "
-        << nCuts << " cuts brought to " << step_.length() << " s: "
-        << trouble().c_str() << ". What was written before is complete."
-        << exit(FatalError);
+        << "No solution of the step from t = " << step_.start << " s, "
+        << why.c_str() << ": " << trouble().c_str()
+        << ". What was written before is complete." << exit(FatalError);
 }
 
 // ************************************************************************* //

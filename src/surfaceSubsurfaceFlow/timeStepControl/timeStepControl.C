@@ -162,6 +162,8 @@ Foam::timeStepControl::timeStepControl
     step_(),
     nRejected_(0),
     nCuts_(0),
+    nLost_(0),
+    lostFrom_(runTime.value()),
     errorRatio_(0),
     errorOrder_(1),
     rejections_(0)
@@ -170,7 +172,10 @@ Foam::timeStepControl::timeStepControl
     checkKeys
     (
         dict,
-        {"localError", "fewIterations", "growth", "cut", "maxCuts"}
+        {
+            "localError", "fewIterations", "growth", "cut", "maxCuts",
+            "maxLost", "leastAdvance"
+        }
     );
 
     const auto positive = [](const scalar x) { return x > 0; };
@@ -208,6 +213,23 @@ Foam::timeStepControl::timeStepControl
         15,
         [](const scalar x) { return x >= 0; },
         ">= 0"
+    );
+
+    maxLost_ = readCheckedOrDefault
+    (
+        dict,
+        "maxLost",
+        200,
+        [](const scalar x) { return x >= 1; },
+        ">= 1"
+    );
+    leastAdvance_ = readCheckedOrDefault
+    (
+        dict,
+        "leastAdvance",
+        1e-4,
+        [](const scalar x) { return x >= 0 && x <= 1; },
+        "0 <= leastAdvance <= 1"
     );
 
     const dictionary& times = runTime.controlDict();
@@ -323,12 +345,43 @@ bool Foam::timeStepControl::rejects(coupledFlow& water)
     {
         water.stop(nCuts_);
     }
+    if (!water.latest().converged)
+    {
+        checkProgress(water);
+    }
 
     water.giveUp();
     ++nRejected_;
     proposal_ = step_.length();
 
     return true;
+}
+
+
+void Foam::timeStepControl::checkProgress(const coupledFlow& water)
+{
+    ++nLost_;
+
+    if (nLost_ < maxLost_)
+    {
+        return;
+    }
+
+    const scalar run =
+        runTime_.endTime().value() - runTime_.startTime().value();
+    const scalar advance = runTime_.value() - lostFrom_;
+
+    if (advance < leastAdvance_*run)
+    {
+        OStringStream why;
+        why << "after " << nLost_ << " trials without one in which time"
+            << " advanced by " << advance << " s, less than "
+            << leastAdvance_ << " of the run (maxLost, leastAdvance)";
+        water.stop(string(why.str()));
+    }
+
+    nLost_ = 0;
+    lostFrom_ = runTime_.value();
 }
 
 

@@ -21,9 +21,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "rateSeries.H"
-#include "TableBase.H"
+#include "tableNodes.H"
 
-#include <algorithm>
 #include <cmath>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -75,29 +74,21 @@ Foam::rateSeries::rateSeries
     (
         dynamic_cast<const Function1Types::hyetograph*>(rate_.get())
     ),
-    nodes_(),
+    nodes_(tableNodes(*rate_)),
     checked_(true)
 {
-    if
-    (
-        const auto* table =
-            dynamic_cast<const Function1Types::TableBase<scalar>*>(rate_.get())
-    )
+    for (const scalar t : nodes_)
     {
-        nodes_ = table->x();
-
-        for (const scalar t : nodes_)
+        if (rate_->value(t) < least_)
         {
-            if (table->value(t) < least_)
-            {
-                FatalIOErrorInFunction(dict_)
-                    << entry_ << " is " << table->value(t) << " at t = "
-                    << t << " s; it must be >= " << least_
-                    << exit(FatalIOError);
-            }
+            FatalIOErrorInFunction(dict_)
+                << entry_ << " is " << rate_->value(t) << " at t = "
+                << t << " s; it must be >= " << least_
+                << exit(FatalIOError);
         }
     }
-    else if (!hyetograph_)
+
+    if (nodes_.empty() && !hyetograph_)
     {
         // Of a constant the whole, of any other function its beginning
         checked_ = false;
@@ -138,9 +129,7 @@ Foam::scalar Foam::rateSeries::nextBreakPoint(const scalar t) const
         return hyetograph_->nextChange(t);
     }
 
-    const auto next = std::upper_bound(nodes_.cbegin(), nodes_.cend(), t);
-
-    return next == nodes_.cend() ? VGREAT : *next;
+    return nextNode(nodes_, t);
 }
 
 // ************************************************************************* //

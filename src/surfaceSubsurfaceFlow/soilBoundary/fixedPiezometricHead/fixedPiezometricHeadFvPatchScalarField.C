@@ -35,7 +35,8 @@ fixedPiezometricHeadFvPatchScalarField
 )
 :
     soilBoundaryFvPatchScalarField(p, iF),
-    head_()
+    head_(),
+    nodes_()
 {}
 
 
@@ -48,7 +49,8 @@ fixedPiezometricHeadFvPatchScalarField
 )
 :
     soilBoundaryFvPatchScalarField(p, iF, dict),
-    head_(Function1<scalar>::New("head", dict))
+    head_(Function1<scalar>::New("head", dict)),
+    nodes_(tableNodes(*head_))
 {}
 
 
@@ -62,7 +64,8 @@ fixedPiezometricHeadFvPatchScalarField
 )
 :
     soilBoundaryFvPatchScalarField(ptf, p, iF, mapper),
-    head_(ptf.head_.clone())
+    head_(ptf.head_.clone()),
+    nodes_(ptf.nodes_)
 {}
 
 
@@ -73,7 +76,8 @@ fixedPiezometricHeadFvPatchScalarField
 )
 :
     soilBoundaryFvPatchScalarField(ptf),
-    head_(ptf.head_.clone())
+    head_(ptf.head_.clone()),
+    nodes_(ptf.nodes_)
 {}
 
 
@@ -85,7 +89,8 @@ fixedPiezometricHeadFvPatchScalarField
 )
 :
     soilBoundaryFvPatchScalarField(ptf, iF),
-    head_(ptf.head_.clone())
+    head_(ptf.head_.clone()),
+    nodes_(ptf.nodes_)
 {}
 
 
