@@ -92,11 +92,7 @@ int main(int argc, char* argv[])
                 {
                     const Method m{shape, transfer, update};
                     // USF where it is at home: FLIP, as in the paper's family
-                    if
-                    (
-                        (shape == "linear" && m.affine())
-                     || (m.update == "USF" && transfer != "FLIP")
-                    )
+                    if (m.update == "USF" && transfer != "FLIP")
                     {
                         continue;
                     }

@@ -51,10 +51,6 @@ int main(int argc, char* argv[])
             for (const std::string& update : mpm::Settings::stressUpdates())
             {
                 const Method m{shape, transfer, update};
-                if (shape == "linear" && m.affine())
-                {
-                    continue;
-                }
                 // The largest CFL number that the settings allow is 1.2
                 for
                 (
