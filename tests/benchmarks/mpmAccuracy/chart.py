@@ -80,8 +80,9 @@ def main(source, target):
         axes.set_title(case + (" (against finer cells)" if case == "collapse" else ""))
         axes.set_xlabel("processor seconds")
         axes.set_ylabel("error")
+    for axes in panels.flat[len(cases):]:
+        axes.axis("off")
     legend = panels.flat[-1]
-    legend.axis("off")
     for transfer, colour in COLOURS.items():
         legend.scatter([], [], color=colour, label=transfer)
     for shape, marker in MARKERS.items():
