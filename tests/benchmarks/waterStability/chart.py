@@ -21,7 +21,7 @@ MAPS = {
 
 
 def draw(rows):
-    """One panel a map and scheme; crosses where a run did not finish."""
+    """One panel a map and scheme; white: rejected steps, crosses: did not finish."""
     pairs = list(dict.fromkeys((row["map"], row["scheme"]) for row in rows))
     columns = 4
     figure, panels = plt.subplots(-(-len(pairs) // columns), columns, figsize=(14, 11))
@@ -33,6 +33,7 @@ def draw(rows):
         xs = list(dict.fromkeys(row["x"] for row in chosen))
         ys = list(dict.fromkeys(row[second] for row in chosen))
         grid = [[0.0] * len(xs) for _ in ys]
+        rejected = {}
         failed = []
         for row in chosen:
             place = xs.index(row["x"]), ys.index(row[second])
@@ -40,16 +41,20 @@ def draw(rows):
                 grid[place[1]][place[0]] = max(
                     grid[place[1]][place[0]], float(row["nonlinearIterations"])
                 )
+                rejected[place] = max(rejected.get(place, 0), int(row["rejectedSteps"]))
             else:
                 failed.append(place)
         image = axes.imshow(grid, origin="lower", aspect="auto", cmap="viridis")
+        for place, steps in rejected.items():
+            if steps:
+                axes.text(*place, steps, color="white", fontsize=7, ha="center", va="center")
         if failed:
             axes.plot(*zip(*failed), "rx", markersize=10, markeredgewidth=2)
         axes.set_xticks(range(len(xs)), xs, fontsize=6, rotation=30)
         axes.set_yticks(range(len(ys)), ys, fontsize=6)
         axes.set_xlabel(MAPS[name][0], fontsize=7)
         axes.set_ylabel(MAPS[name][1], fontsize=7)
-        axes.set_title(f"{name}: {scheme}, iterations", fontsize=8)
+        axes.set_title(f"{name}: {scheme}, iterations; white: steps rejected", fontsize=8)
         figure.colorbar(image, ax=axes)
     return figure
 
