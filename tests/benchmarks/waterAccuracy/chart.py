@@ -13,7 +13,6 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from chartTools import COLOURS, FLUXES, numbers, plt, run, where  # noqa: E402
 
 
-
 def draw(rows):
     """A panel for each case and measure of its error."""
     measures = list(dict.fromkeys((row["case"], row["errorMeasure"]) for row in rows))
@@ -29,6 +28,8 @@ def draw(rows):
                                 label=f"{flux}, {scheme}")
         axes.set_title(f"{case}, {measure}", fontsize=8)
         axes.set_xlabel("CPU seconds")
+    for axes in panels.flat[len(measures):]:
+        axes.axis("off")
     panels.flat[0].legend(fontsize=6, ncol=2)
     return figure
 
