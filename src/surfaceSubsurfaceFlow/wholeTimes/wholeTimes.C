@@ -35,9 +35,9 @@ License
 namespace Foam
 {
 
-// The mark of a time, beside its folder: a file while it is being written, a
-// folder of this name is one that was set aside
-static const char* const unfinishedMark = ".unfinished";
+// Extension of the mark of a time, beside its folder: a file while it is being
+// written, a folder of this name is one that was set aside
+static const char* const unfinished = "unfinished";
 
 
 // Wait for all processors
@@ -60,7 +60,7 @@ void Foam::setUnfinishedTimesAside(const argList& args)
     {
         scalar time;
 
-        if (readScalar(name.lessExt(), time) && name.hasExt("unfinished"))
+        if (readScalar(name.lessExt(), time) && name.hasExt(unfinished))
         {
             mine.append(name.lessExt());
         }
@@ -68,16 +68,16 @@ void Foam::setUnfinishedTimesAside(const argList& args)
     Pstream::gatherList(marked);
     Pstream::scatterList(marked);
 
-    HashSet<fileName> unfinished;
+    HashSet<fileName> times;
     for (const fileNameList& names : marked)
     {
-        unfinished.insert(names);
+        times.insert(names);
     }
 
-    for (const fileName& name : unfinished.sortedToc())
+    for (const fileName& name : times.sortedToc())
     {
         const fileName folder(args.path()/name);
-        const fileName aside(folder + unfinishedMark);
+        const fileName aside(folder + "." + unfinished);
 
         Info<< "Time " << name << " was left half written by a run that was"
             << " stopped: set aside as " << aside.name() << nl << endl;
@@ -105,7 +105,7 @@ void Foam::writeWhole(Time& runTime)
         return;
     }
 
-    const fileName mark(runTime.timePath() + unfinishedMark);
+    const fileName mark(runTime.timePath() + "." + unfinished);
 
     rmDir(mark, true);
     {

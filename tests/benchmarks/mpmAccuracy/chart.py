@@ -6,22 +6,11 @@ slideFoam | from rain to runout
 Copyright (C) 2026 the slideFoam authors, GPL-3.0-or-later
 """
 
-import csv
+import pathlib
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402 (the backend comes first)
-
-
-def read(path):
-    """Rows of the table, and what its comments say."""
-    with open(path, encoding="utf-8") as table:
-        lines = table.read().splitlines()
-    notes = [line[2:] for line in lines if line.startswith("#")]
-    rows = csv.DictReader(line for line in lines if not line.startswith("#"))
-    return notes, list(rows)
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from chartTools import plt, run, where  # noqa: E402
 
 
 COLOURS = {
@@ -50,16 +39,13 @@ def front(points):
     return best
 
 
-def main(source, target):
+def draw(rows):
     """One panel a case."""
-    notes, rows = read(source)
     cases = list(dict.fromkeys(row["case"] for row in rows))
     figure, panels = plt.subplots(2, 4, figsize=(19, 9))
     for axes, case in zip(panels.flat, cases):
         points = []
-        for row in rows:
-            if row["case"] != case or row["failed"] == "1":
-                continue
+        for row in where(rows, case=case, failed="0"):
             time = max(float(row["cpu_s"]), 1e-4)
             error = float(row["error"])
             name = f"{row['shape']} {row['transfer']} {row['update']}"
@@ -89,12 +75,8 @@ def main(source, target):
         legend.scatter([], [], color="k", marker=marker, label=shape)
     legend.plot([], [], "k-", label="front of the best choices")
     legend.legend(loc="center")
-    figure.suptitle("; ".join(notes), fontsize=8)
-    figure.tight_layout()
-    figure.savefig(target, dpi=100)
+    return figure
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
-        sys.exit(__doc__)
-    main(sys.argv[1], sys.argv[2])
+    run(draw, __doc__)

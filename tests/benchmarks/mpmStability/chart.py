@@ -6,22 +6,11 @@ slideFoam | from rain to runout
 Copyright (C) 2026 the slideFoam authors, GPL-3.0-or-later
 """
 
-import csv
+import pathlib
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402 (the backend comes first)
-
-
-def read(path):
-    """Rows of the table, and what its comments say."""
-    with open(path, encoding="utf-8") as table:
-        lines = table.read().splitlines()
-    notes = [line[2:] for line in lines if line.startswith("#")]
-    rows = csv.DictReader(line for line in lines if not line.startswith("#"))
-    return notes, list(rows)
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from chartTools import plt, read  # noqa: E402
 
 
 def main(source, target):

@@ -135,7 +135,7 @@ double moved(const mpm::Run& run)
 double grain(const std::string& transfer)
 {
     const double cellSize = 0.2, mu = 0.4, start = 5, time = 0.5;
-    const double angle = 8*std::acos(-1.0)/180;
+    const double angle = 8*verification::degree;
     const double s = std::sin(angle), c = std::cos(angle);
 
     mpm::Settings settings;
