@@ -255,6 +255,10 @@ void Foam::coupledFlow::accept()
     {
         soil_->endStep(step_.length());
     }
+    if (overland_)
+    {
+        overland_->endStep();
+    }
     setFields();
 
     if (history_)

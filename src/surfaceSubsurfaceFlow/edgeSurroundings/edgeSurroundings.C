@@ -29,8 +29,13 @@ License
 namespace Foam
 {
 
-//- A component of the gradient in the faces
-static areaScalarField component(const faMesh& aMesh, const word& name)
+//- A field in the faces that is not written
+static areaScalarField faceField
+(
+    const faMesh& aMesh,
+    const word& name,
+    const dimensionSet& dimensions
+)
 {
     return areaScalarField
     (
@@ -44,7 +49,7 @@ static areaScalarField component(const faMesh& aMesh, const word& name)
             false
         ),
         aMesh,
-        dimensionedScalar(dimless, Zero),
+        dimensionedScalar(dimensions, Zero),
         calculatedFaPatchScalarField::typeName
     );
 }
@@ -194,9 +199,26 @@ void Foam::edgeSurroundings::setGradients
 }
 
 
+void Foam::edgeSurroundings::setShape(const areaScalarField& depth)
+{
+    const scalar share = 0.5;
+
+    forAll(shape_, facei)
+    {
+        scalar& shape = shape_[facei];
+
+        shape =
+            shape > 0 && depth[facei] > 0
+          ? shape + share*(depth[facei] - shape)
+          : depth[facei];
+    }
+
+    shape_.correctBoundaryConditions();
+}
+
+
 Foam::scalar Foam::edgeSurroundings::ratio
 (
-    const areaScalarField& depth,
     const label facei,
     const neighbour& to
 ) const
@@ -210,14 +232,14 @@ Foam::scalar Foam::edgeSurroundings::ratio
     // Cosine from which a neighbour lies opposite rather than to the side
     const scalar minCosine = 0.25;
 
-    const scalar here = depth[facei];
+    const scalar here = shape_[facei];
 
     if (here <= 0)
     {
         return 1;
     }
 
-    const scalar ahead = value(depth, to) - here;
+    const scalar ahead = value(shape_, to) - here;
 
     scalar behind = 0;
     scalar weights = 0;
@@ -231,7 +253,7 @@ Foam::scalar Foam::edgeSurroundings::ratio
             const scalar weight = sqr(cosine);
 
             behind +=
-                weight*(here - value(depth, n))*n.inverse/(cosine*to.inverse);
+                weight*(here - value(shape_, n))*n.inverse/(cosine*to.inverse);
             weights += weight;
         }
     }
@@ -254,11 +276,7 @@ Foam::scalar Foam::edgeSurroundings::ratio
 }
 
 
-void Foam::edgeSurroundings::setRatios
-(
-    const areaScalarField& depth,
-    const scalar share
-)
+void Foam::edgeSurroundings::setRatios()
 {
     forAll(neighbours_, facei)
     {
@@ -269,9 +287,7 @@ void Foam::edgeSurroundings::setRatios
               ? edges_[to.edgei]
               : patchEdges_[to.patchi][to.i];
 
-            scalar& r = to.first ? edge.ratioFirst : edge.ratioSecond;
-
-            r += share*(ratio(depth, facei, to) - r);
+            (to.first ? edge.ratioFirst : edge.ratioSecond) = ratio(facei, to);
         }
     }
 
@@ -360,8 +376,9 @@ Foam::edgeSurroundings::edgeSurroundings
     geometry_(geometry),
     neighbours_(aMesh.nFaces()),
     inverse_(aMesh.nFaces(), FixedList<scalar, 3>(Zero)),
-    gradient1_(component(aMesh, "surfaceGradient1")),
-    gradient2_(component(aMesh, "surfaceGradient2")),
+    shape_(faceField(aMesh, "shapeOfDepth", dimLength)),
+    gradient1_(faceField(aMesh, "surfaceGradient1", dimless)),
+    gradient2_(faceField(aMesh, "surfaceGradient2", dimless)),
     edges_(aMesh.neighbour().size()),
     patchEdges_(aMesh.boundary().size())
 {
@@ -380,16 +397,22 @@ Foam::edgeSurroundings::edgeSurroundings
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::edgeSurroundings::begin(const areaScalarField& shape)
+{
+    shape_.primitiveFieldRef() = shape;
+}
+
+
 void Foam::edgeSurroundings::update
 (
     const bool followsWater,
     const areaScalarField& depth,
-    const areaScalarField& elevation,
-    const bool again
+    const areaScalarField& elevation
 )
 {
     setGradients(followsWater, depth, elevation);
-    setRatios(depth, again ? 0.5 : 1);
+    setShape(depth);
+    setRatios();
 
     const auto gradient = [&](const label facei)
     {

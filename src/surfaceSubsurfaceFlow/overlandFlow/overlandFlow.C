@@ -322,6 +322,16 @@ Foam::overlandFlow::overlandFlow(const fvMesh& mesh, groundSurface& ground)
             IOobject::AUTO_WRITE
         )
     ),
+    shapeDepth_
+    (
+        areaField
+        (
+            "shapeDepth",
+            dimLength,
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        )
+    ),
     surroundings_(aMesh_, geometry_),
     fluxScale_(0)
 {
@@ -346,7 +356,7 @@ Foam::overlandFlow::overlandFlow(const fvMesh& mesh, groundSurface& ground)
     for
     (
         areaScalarField* field
-      : {&h_, &hs_, &qExchange_, &depthRate_, &depthRateOld_}
+      : {&h_, &hs_, &qExchange_, &depthRate_, &depthRateOld_, &shapeDepth_}
     )
     {
         field->writeOpt() = IOobject::AUTO_WRITE;

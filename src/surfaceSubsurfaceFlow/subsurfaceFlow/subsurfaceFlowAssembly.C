@@ -55,8 +55,6 @@ void Foam::subsurfaceFlow::assembleInternal
     const labelList& neighbour = mesh_.faceNeighbour();
     const scalarField& correction = correction_.correction();
 
-    fluxScale_ = 0;
-
     forAll(neighbour, facei)
     {
         const soilTable::state& first = cellStates_[owner[facei]];
@@ -68,9 +66,7 @@ void Foam::subsurfaceFlow::assembleInternal
 
         pointFlux_[facei] = f.value;
         faceFlux_[facei] = f.value + correction[facei];
-        fluxScale_ +=
-            mag(f.dFirst*first.head/first.dHead)
-          + mag(f.dSecond*second.head/second.dHead);
+        fluxScale_ += f.scale;
 
         matrix.addFlux
         (
@@ -109,6 +105,7 @@ void Foam::subsurfaceFlow::assembleProcessor
 
         pointFlux_[facei] = f.value;
         faceFlux_[facei] = f.value + correction_.correction()[facei];
+        fluxScale_ += f.scale;
 
         matrix.addInterfaceFlux
         (
@@ -154,6 +151,7 @@ Foam::richardsFlux::flux Foam::subsurfaceFlow::boundaryFlux
                *max(-(area & up_), scalar(0));
             result.value = downArea*cell.K;
             result.dFirst = downArea*cell.dK;
+            result.scale = mag(result.value);
             break;
         }
         case condition::head:
@@ -208,6 +206,7 @@ void Foam::subsurfaceFlow::assemblePatch
 
         pointFlux_[facei] = f.value;
         faceFlux_[facei] = f.value;
+        fluxScale_ += f.scale;
         if (open(conditions_[patchi]))
         {
             faceFlux_[facei] += correction_.correction()[facei];
@@ -390,6 +389,8 @@ void Foam::subsurfaceFlow::assemble
 {
     const richardsFlux& flux = fallback ? *fallbackFlux_ : *flux_;
 
+    fluxScale_ = 0;
+
     assembleStorage(matrix);
     assembleInternal(matrix, flux);
 
@@ -420,6 +421,7 @@ void Foam::subsurfaceFlow::assemble
 
         pointFlux_[facei] = f.value;
         faceFlux_[facei] = f.value + correction_.correction()[facei];
+        fluxScale_ += f.scale;
 
         matrix.addFlux
         (

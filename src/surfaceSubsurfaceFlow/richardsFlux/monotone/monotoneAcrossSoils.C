@@ -69,39 +69,6 @@ void Foam::richardsFluxes::monotone::evaluate
 }
 
 
-Foam::scalar Foam::richardsFluxes::monotone::noise
-(
-    const interface& sides,
-    const soilTable::state& first,
-    const soilTable::state& second,
-    const faceState& face
-)
-{
-    // A few roundings of each of the parts
-    const scalar roundOff = 8*std::numeric_limits<scalar>::epsilon();
-
-    const auto ofSide = []
-    (
-        const scalar transmissibility,
-        const soilTable::state& a,
-        const soilTable::state& b
-    )
-    {
-        const scalar heads = mag(a.head) + mag(b.head);
-
-        return
-            transmissibility*(mag(a.Phi) + mag(b.Phi) + max(a.K, b.K)*heads);
-    };
-
-    return
-        roundOff
-       *(
-            ofSide(sides.first.transmissibility, first, face.first)
-          + ofSide(sides.second.transmissibility, face.second, second)
-        );
-}
-
-
 void Foam::richardsFluxes::monotone::solve
 (
     const connection& c,
@@ -111,6 +78,9 @@ void Foam::richardsFluxes::monotone::solve
 ) const
 {
     const label maxIterations = 200;
+
+    // A few roundings of each of the parts
+    const scalar roundOff = 8*std::numeric_limits<scalar>::epsilon();
 
     const interface& sides = interfaces_[c.interface];
 
@@ -139,7 +109,7 @@ void Foam::richardsFluxes::monotone::solve
 
         const scalar excess = face.excess();
 
-        if (mag(excess) <= noise(sides, first, second, face))
+        if (mag(excess) <= roundOff*(face.to.scale + face.from.scale))
         {
             return;
         }
@@ -198,6 +168,7 @@ Foam::richardsFlux::flux Foam::richardsFluxes::monotone::acrossSoils
         result.value = share*face.to.value + (1 - share)*face.from.value;
         result.dFirst = share*face.to.dFirst;
         result.dSecond = (1 - share)*face.from.dSecond;
+        result.scale = share*face.to.scale + (1 - share)*face.from.scale;
     }
 
     return result;

@@ -46,15 +46,26 @@ Foam::richardsFlux::flux Foam::richardsFlux::acrossSoils
     const scalar factor =
         c.transmissibility/tables_[forward ? c.soil1 : c.soil2].Ks();
 
-    return ofMean
+    flux result
     (
-        factor*upwind.K,
-        forward ? factor*upwind.dK : 0,
-        forward ? 0 : factor*upwind.dK,
-        c.drop,
-        first,
-        second
+        ofMean
+        (
+            factor*upwind.K,
+            forward ? factor*upwind.dK : 0,
+            forward ? 0 : factor*upwind.dK,
+            c.drop,
+            first,
+            second
+        )
     );
+
+    // The conductivity alone acts on the heads
+    result.scale =
+        factor*upwind.K*mag(c.drop)
+      + mag(result.dFirst)*reach(first)
+      + mag(result.dSecond)*reach(second);
+
+    return result;
 }
 
 
