@@ -363,21 +363,15 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh)
 
 Foam::scalar Foam::coupledFlow::nextRainChange(const scalar t) const
 {
-    scalar result = min
-    (
-        ground_.nextBreakPoint(t),
-        sources_ ? sources_->nextBreakPoint(t) : VGREAT
-    );
+    scalar result = ground_.nextBreakPoint(t);
 
+    if (sources_)
+    {
+        result = min(result, sources_->nextBreakPoint(t));
+    }
     if (soil_)
     {
-        for (const fvPatchScalarField& psi : soil_->psi().boundaryField())
-        {
-            if (const auto* patch = isA<soilBoundaryFvPatchScalarField>(psi))
-            {
-                result = min(result, patch->nextBreakPoint(t));
-            }
-        }
+        result = min(result, soil_->nextBreakPoint(t));
     }
 
     return result;

@@ -110,6 +110,7 @@ Foam::subsurfaceFlow::subsurfaceFlow
         ),
         mesh
     ),
+    boundaryNodes_(psi_),
     theta_(derivedField("theta", mesh, dimless)),
     Se_(derivedField("Se", mesh, dimless)),
     kr_(derivedField("kr", mesh, dimless)),
@@ -183,6 +184,22 @@ Foam::scalar Foam::subsurfaceFlow::hydrostaticHead(const label facei) const
     return
         psi_[celli]
       + ((mesh_.cellCentres()[celli] - mesh_.faceCentres()[facei]) & up_);
+}
+
+
+Foam::scalar Foam::subsurfaceFlow::nextBreakPoint(const scalar t) const
+{
+    scalar result = boundaryNodes_.next(t);
+
+    for (const fvPatchScalarField& psi : psi_.boundaryField())
+    {
+        if (const auto* patch = isA<soilBoundaryFvPatchScalarField>(psi))
+        {
+            result = min(result, patch->nextBreakPoint(t));
+        }
+    }
+
+    return result;
 }
 
 

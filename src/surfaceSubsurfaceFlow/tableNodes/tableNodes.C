@@ -21,26 +21,68 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "tableNodes.H"
+#include "StringStream.H"
 #include "TableBase.H"
 
 #include <algorithm>
+#include <cmath>
 
-// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::scalarList Foam::tableNodes(const Function1<scalar>& function)
+Foam::tableNodes::tableNodes(const scalarList& times)
+:
+    times_(times),
+    period_(0)
+{}
+
+
+Foam::tableNodes::tableNodes(const Function1<scalar>& function)
+:
+    times_(),
+    period_(0)
 {
     const auto* table =
         dynamic_cast<const Function1Types::TableBase<scalar>*>(&function);
 
-    return table ? scalarList(table->x()) : scalarList();
+    if (!table)
+    {
+        return;
+    }
+
+    times_ = table->x();
+
+    // What a table does beyond its ends it tells only when it is written
+    OStringStream os;
+    table->writeEntries(os);
+    IStringStream is(os.str());
+
+    if (dictionary(is).lookupOrDefault<word>("outOfBounds", "") == "repeat")
+    {
+        period_ = times_.last() - times_.first();
+    }
 }
 
 
-Foam::scalar Foam::nextNode(const UList<scalar>& nodes, const scalar t)
-{
-    const auto next = std::upper_bound(nodes.cbegin(), nodes.cend(), t);
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-    return next == nodes.cend() ? VGREAT : *next;
+Foam::scalar Foam::tableNodes::next(const scalar t) const
+{
+    const scalar past =
+        repeats() ? std::floor((t - times_.first())/period_)*period_ : 0;
+
+    for (const scalar shift : {past, past + period_})
+    {
+        const auto node =
+            std::upper_bound(times_.cbegin(), times_.cend(), t - shift);
+
+        // Round-off of the sum may fall on the time that was asked for
+        if (node != times_.cend() && *node + shift > t)
+        {
+            return *node + shift;
+        }
+    }
+
+    return VGREAT;
 }
 
 // ************************************************************************* //

@@ -21,7 +21,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "rateSeries.H"
-#include "tableNodes.H"
 
 #include <cmath>
 
@@ -29,28 +28,44 @@ License
 
 Foam::scalar Foam::rateSeries::integral(const scalar t1, const scalar t2) const
 {
-    if (nodes_.empty())
+    const scalarList& nodes = nodes_.times();
+
+    if (nodes.empty())
     {
         return rate_->integrate(t1, t2);
     }
 
+    const scalar first = nodes.first();
+    const scalar last = nodes.last();
+
     // A table integrates between its nodes only
-    const auto within = [this](const scalar t)
+    const auto between = [this](const scalar from, const scalar to)
     {
-        return min(max(t, nodes_.first()), nodes_.last());
+        return from < to ? rate_->integrate(from, to) : 0;
     };
-    const scalar from = within(t1);
-    const scalar to = within(t2);
 
-    scalar result = from < to ? rate_->integrate(from, to) : 0;
-
-    if (t1 < nodes_.first())
+    if (nodes_.repeats())
     {
-        result += rate_->value(t1)*(min(t2, nodes_.first()) - t1);
+        const scalar period = last - first;
+        const scalar n1 = std::floor((t1 - first)/period);
+        const scalar n2 = std::floor((t2 - first)/period);
+
+        return
+            (n2 - n1)*between(first, last)
+          + between(first, min(t2 - n2*period, last))
+          - between(first, min(t1 - n1*period, last));
     }
-    if (t2 > nodes_.last())
+
+    scalar result =
+        between(min(max(t1, first), last), min(max(t2, first), last));
+
+    if (t1 < first)
     {
-        result += rate_->value(t2)*(t2 - max(t1, nodes_.last()));
+        result += rate_->value(t1)*(min(t2, first) - t1);
+    }
+    if (t2 > last)
+    {
+        result += rate_->value(t2)*(t2 - max(t1, last));
     }
 
     return result;
@@ -74,10 +89,10 @@ Foam::rateSeries::rateSeries
     (
         dynamic_cast<const Function1Types::hyetograph*>(rate_.get())
     ),
-    nodes_(tableNodes(*rate_)),
+    nodes_(*rate_),
     checked_(true)
 {
-    for (const scalar t : nodes_)
+    for (const scalar t : nodes_.times())
     {
         if (rate_->value(t) < least_)
         {
@@ -88,7 +103,7 @@ Foam::rateSeries::rateSeries
         }
     }
 
-    if (nodes_.empty() && !hyetograph_)
+    if (nodes_.times().empty() && !hyetograph_)
     {
         // Of a constant the whole, of any other function its beginning
         checked_ = false;
@@ -129,7 +144,7 @@ Foam::scalar Foam::rateSeries::nextBreakPoint(const scalar t) const
         return hyetograph_->nextChange(t);
     }
 
-    return nextNode(nodes_, t);
+    return nodes_.next(t);
 }
 
 // ************************************************************************* //

@@ -63,7 +63,11 @@ Foam::darcyFluxFvPatchScalarField::darcyFluxFvPatchScalarField
     fluxDict_(),
     flux_()
 {
-    for (const word key : {"flux", "fluxCoeffs"})
+    for
+    (
+        const word key
+      : {"flux", "fluxCoeffs", "outOfBounds", "interpolationScheme"}
+    )
     {
         if (const entry* e = dict.findEntry(key, keyType::LITERAL))
         {

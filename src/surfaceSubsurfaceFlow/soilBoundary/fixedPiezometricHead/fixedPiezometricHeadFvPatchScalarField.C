@@ -35,8 +35,7 @@ fixedPiezometricHeadFvPatchScalarField
 )
 :
     soilBoundaryFvPatchScalarField(p, iF),
-    head_(),
-    nodes_()
+    head_()
 {}
 
 
@@ -49,8 +48,7 @@ fixedPiezometricHeadFvPatchScalarField
 )
 :
     soilBoundaryFvPatchScalarField(p, iF, dict),
-    head_(Function1<scalar>::New("head", dict)),
-    nodes_(tableNodes(*head_))
+    head_(Function1<scalar>::New("head", dict))
 {}
 
 
@@ -64,8 +62,7 @@ fixedPiezometricHeadFvPatchScalarField
 )
 :
     soilBoundaryFvPatchScalarField(ptf, p, iF, mapper),
-    head_(ptf.head_.clone()),
-    nodes_(ptf.nodes_)
+    head_(ptf.head_.clone())
 {}
 
 
@@ -76,8 +73,7 @@ fixedPiezometricHeadFvPatchScalarField
 )
 :
     soilBoundaryFvPatchScalarField(ptf),
-    head_(ptf.head_.clone()),
-    nodes_(ptf.nodes_)
+    head_(ptf.head_.clone())
 {}
 
 
@@ -89,8 +85,7 @@ fixedPiezometricHeadFvPatchScalarField
 )
 :
     soilBoundaryFvPatchScalarField(ptf, iF),
-    head_(ptf.head_.clone()),
-    nodes_(ptf.nodes_)
+    head_(ptf.head_.clone())
 {}
 
 

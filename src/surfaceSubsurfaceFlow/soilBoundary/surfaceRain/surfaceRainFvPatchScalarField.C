@@ -47,7 +47,11 @@ Foam::surfaceRainFvPatchScalarField::surfaceRainFvPatchScalarField
     soilBoundaryFvPatchScalarField(p, iF, dict),
     rainDict_()
 {
-    for (const word key : {"rainfall", "rainfallCoeffs"})
+    for
+    (
+        const word key
+      : {"rainfall", "rainfallCoeffs", "outOfBounds", "interpolationScheme"}
+    )
     {
         if (const entry* e = dict.findEntry(key, keyType::LITERAL))
         {
