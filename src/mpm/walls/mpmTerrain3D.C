@@ -32,10 +32,12 @@ License
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
+namespace mpm
+{
 namespace
 {
 
-typedef mpm::Vector<3> V;
+typedef Vector<3> V;
 
 V operator-(const V& a, const V& b)
 {
@@ -68,6 +70,7 @@ V cross(const V& a, const V& b)
 }
 
 } // End anonymous namespace
+} // End namespace mpm
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
