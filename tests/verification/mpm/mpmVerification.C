@@ -64,6 +64,7 @@ int main(int argc, char* argv[])
         {"energyAccount", energyAccount},
         {"rodCollapse", rodCollapse},
         {"hoopStrain", hoopStrain},
+        {"cavityPressure", cavityPressure},
         {"sleep", verification::sleep}
     };
 
