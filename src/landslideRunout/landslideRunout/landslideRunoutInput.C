@@ -22,6 +22,7 @@ License
 
 #include "landslideRunout.H"
 #include "cellValues.H"
+#include "factorOfSafetyTable.H"
 #include "fvMesh.H"
 #include "functionObject.H"
 #include "mpmChecked.H"
@@ -34,9 +35,6 @@ License
 #include "Switch.H"
 #include "Time.H"
 #include "uniformDimensionedFields.H"
-
-#include <fstream>
-#include <sstream>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -52,44 +50,6 @@ static void append(SHA1& sha, const std::vector<Type>& values)
         reinterpret_cast<const char*>(values.data()),
         values.size()*sizeof(Type)
     );
-}
-
-// The third column of the first row of a time that has one: columns are time,
-// method, FOS, separated by tabs
-static std::optional<scalar> firstValue
-(
-    const fileName& file,
-    const scalar time
-)
-{
-    const scalar sameTime = 1e-6;
-
-    std::ifstream is(file);
-    std::string line;
-
-    while (std::getline(is, line))
-    {
-        std::istringstream row(line);
-        std::string timeText, method, fosText;
-
-        std::getline(row, timeText, '\t');
-        std::getline(row, method, '\t');
-        std::getline(row, fosText, '\t');
-
-        scalar rowTime, fos;
-
-        if
-        (
-            readScalar(timeText, rowTime)
-         && readScalar(fosText, fos)
-         && mag(rowTime - time) <= sameTime*max(scalar(1), mag(time))
-        )
-        {
-            return fos;
-        }
-    }
-
-    return std::nullopt;
 }
 
 } // End namespace Foam
@@ -479,7 +439,11 @@ Foam::landslideRunout::writtenFactorOfSafety() const
         for (const fileName& start : readDir(folder, fileName::DIRECTORY))
         {
             const auto found =
-                firstValue(folder/start/"factorOfSafety.dat", time_.value());
+                factorOfSafetyTable::firstValue
+                (
+                    folder/start/"factorOfSafety.dat",
+                    time_.value()
+                );
 
             if (found)
             {

@@ -27,6 +27,22 @@ License
 #include "outputFolder.H"
 
 #include <fstream>
+#include <sstream>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+// How far apart two times may be that are the same: those in the file have 12
+// digits
+static scalar sameTime(const scalar time)
+{
+    return 1e-10*max(scalar(1), mag(time));
+}
+
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
@@ -87,11 +103,43 @@ void Foam::factorOfSafetyTable::set
     const std::vector<std::string>& rows
 )
 {
-    // Times in the file have 12 digits
-    const scalar same = time - 1e-10*max(scalar(1), mag(time));
-
-    rows_.erase(rows_.lower_bound(same), rows_.end());
+    rows_.erase(rows_.lower_bound(time - sameTime(time)), rows_.end());
     rows_[time] = rows;
+}
+
+
+std::optional<Foam::scalar> Foam::factorOfSafetyTable::firstValue
+(
+    const fileName& file,
+    const scalar time
+)
+{
+    std::ifstream is(file);
+    std::string line;
+
+    while (std::getline(is, line))
+    {
+        std::istringstream row(line);
+        std::string timeText, method, fosText;
+
+        std::getline(row, timeText, '\t');
+        std::getline(row, method, '\t');
+        std::getline(row, fosText, '\t');
+
+        scalar rowTime, fos;
+
+        if
+        (
+            readScalar(timeText, rowTime)
+         && readScalar(fosText, fos)
+         && mag(rowTime - time) <= sameTime(time)
+        )
+        {
+            return fos;
+        }
+    }
+
+    return std::nullopt;
 }
 
 
