@@ -227,6 +227,7 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh)
     leftOver_(),
     remainder_(),
     keptRemainder_(),
+    crossedBefore_(0),
     part_(part::all),
     hasRunoff_(false),
     hasGround_(false),

@@ -29,6 +29,11 @@ License
 namespace Foam
 {
 
+//- Multiple of the tolerance that the residuals of single cells may have: what
+//  is left goes into the next step
+static const scalar single = 100;
+
+
 static bool allFinite(const UList<scalar>& values)
 {
     for (const scalar value : values)
@@ -50,38 +55,50 @@ static bool allFinite(const UList<scalar>& values)
 Foam::coupledFlow::limits Foam::coupledFlow::residualLimits() const
 {
     // Round-off of storages and fluxes, of which the residual is a difference
-    const scalar roundOff = 4*std::numeric_limits<scalar>::epsilon();
+    const scalar epsilon = std::numeric_limits<scalar>::epsilon();
+    const scalar roundOff = 4*epsilon;
 
-    // Water moved by the step, water there is, water that passes faces
-    scalarList volumes(3, Zero);
+    // The sum of the residuals is the error of the balance: small also against
+    // all that has come in and left so far, where that is less than what the step
+    // moves inside
+    const scalar sum = 0.25;
 
-    water_->addMoved(volumes[0], volumes[1]);
+    // Water that came in or left, by which storages changed, that infiltrated,
+    // that there is, and that passes faces
+    scalarList volumes(5, Zero);
+    scalar& crossed = volumes[0];
+    scalar& changed = volumes[1];
+    scalar& infiltrated = volumes[2];
+    scalar& total = volumes[3];
+    scalar& passing = volumes[4];
+
+    water_->addMoved(crossed, changed, total);
     if (soil_)
     {
-        soil_->addMoved(*volumes_, volumes[0], volumes[1]);
-        volumes[0] += sumMag(infiltration()());
-        volumes[2] += step_.length()*soil_->fluxScale();
+        soil_->addMoved(*volumes_, crossed, changed, total);
+        infiltrated += sumMag(infiltration()());
+        passing += step_.length()*soil_->fluxScale();
     }
     if (sources_)
     {
-        volumes[0] += sources_->inflow() + sources_->outflow();
+        crossed += sources_->inflow() + sources_->outflow();
     }
     if (overland_)
     {
-        volumes[2] += step_.length()*overland_->fluxScale();
+        passing += step_.length()*overland_->fluxScale();
     }
 
     Pstream::listCombineGather(volumes, plusEqOp<scalar>());
     Pstream::listCombineScatter(volumes);
 
-    // What is left in single cells goes into their next step, so that only the
-    // sum has to be small
-    const scalar single = 100;
+    const scalar moved = crossed + changed + infiltrated;
 
     limits result;
-    result.balance = tolerance_*volumes[0] + roundOff*volumes[1];
-    result.noise = roundOff*(volumes[1] + volumes[2]);
-    result.norm = single*tolerance_*volumes[0] + result.noise;
+    result.balance =
+        tolerance_*min(sum*(crossedBefore_ + crossed), moved)
+      + 2*epsilon*total;
+    result.noise = roundOff*(total + passing);
+    result.norm = single*tolerance_*moved + result.noise;
 
     return result;
 }
@@ -202,9 +219,11 @@ bool Foam::coupledFlow::iterate(const part solved)
     const scalar ceased = 0.5;
     const scalar many = 100;
 
-    // Multiple of its limit that the imbalance may then have: more of it is
-    // water that nobody sent
-    const scalar tolerated = 10;
+    // Multiple of its limit that the imbalance may then have, and the iterations
+    // at rest after which it may be as small as that only against what the step
+    // moves. More of it is water that nobody sent
+    const scalar tolerated = 2;
+    const label nRest = 2;
 
     // Share of the imbalance whose loss is worth more iterations: where a front
     // passes many cells in a step they fill one after the other
@@ -228,6 +247,7 @@ bool Foam::coupledFlow::iterate(const part solved)
 
     // The latest iteration started from a small residual, and from where
     bool polished = false;
+    label nAtRest = 0;
     struct
     {
         scalarField unknowns;
@@ -261,13 +281,15 @@ bool Foam::coupledFlow::iterate(const part solved)
              && norm > ceased*previousNorm
             );
 
+        scalar restLimit = tolerated*limit.balance;
+        if (atRest && nAtRest++ >= nRest)
+        {
+            restLimit += (limit.norm - limit.noise)/single;
+        }
+
         p.converged =
             (small && imbalance <= limit.balance)
-         || (
-                atRest
-             && (restBetter ? rest.imbalance : imbalance)
-             <= tolerated*limit.balance
-            );
+         || (atRest && (restBetter ? rest.imbalance : imbalance) <= restLimit);
 
         if (p.converged && restBetter)
         {

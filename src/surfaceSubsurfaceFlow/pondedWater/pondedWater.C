@@ -201,9 +201,15 @@ Foam::scalar Foam::pondedWater::changedStorage() const
 }
 
 
-void Foam::pondedWater::addMoved(scalar& moved, scalar& total) const
+void Foam::pondedWater::addMoved
+(
+    scalar& crossed,
+    scalar& changed,
+    scalar& total
+) const
 {
-    moved += sum(rainVolume_) + changedStorage();
+    crossed += sum(rainVolume_);
+    changed += changedStorage();
     total += sumProd(ground_.planArea(), depth_);
 }
 

@@ -329,13 +329,14 @@ Foam::scalar Foam::subsurfaceFlow::changedStorage() const
 void Foam::subsurfaceFlow::addMoved
 (
     const stepVolumes& volumes,
-    scalar& moved,
+    scalar& crossed,
+    scalar& changed,
     scalar& total
 ) const
 {
     const scalarField& V = mesh_.V();
 
-    moved += changedStorage();
+    changed += changedStorage();
     forAll(cellStates_, celli)
     {
         total += V[celli]*cellStates_[celli].storage;
@@ -348,7 +349,7 @@ void Foam::subsurfaceFlow::addMoved
             forAll(patch, i)
             {
                 const label facei = patch.start() + i;
-                moved += mag(volumes.volume(volumes.boundaryFace(facei)));
+                crossed += mag(volumes.volume(volumes.boundaryFace(facei)));
             }
         }
     }

@@ -25,8 +25,22 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::scalar Foam::waterBalance::inflow() const
+{
+    return sum_.rain + sum_.subsurfaceInflow + sum_.sourceInflow;
+}
+
+
+Foam::scalar Foam::waterBalance::outflow() const
+{
+    return sum_.surfaceOutflow + sum_.subsurfaceOutflow + sum_.sourceOutflow;
+}
+
+
 void Foam::waterBalance::keep()
 {
+    water_.setCrossed(inflow() + outflow());
+
     dictionary balance;
     restartState::set(balance, "initialStorage", initialStorage_);
     restartState::set(balance, "rain", sum_.rain);
@@ -45,7 +59,7 @@ void Foam::waterBalance::keep()
 
 Foam::waterBalance::waterBalance
 (
-    const coupledFlow& water,
+    coupledFlow& water,
     dictionary& state
 )
 :
@@ -91,8 +105,9 @@ Foam::waterBalance::waterBalance
 
 void Foam::waterBalance::update()
 {
-    // A change of storage below this share of the storage is no measure
-    const scalar storageShare = 1e-6;
+    // A change of storage below this share of the storage is no measure: the
+    // storage is known to 1e-16 of it at best, and such a change to 1e-11
+    const scalar storageShare = 1e-5;
 
     const coupledFlow::volumes step(water_.moved());
 
@@ -108,15 +123,11 @@ void Foam::waterBalance::update()
     const scalar subsurface = water_.subsurfaceStorage();
 
     const scalar sourceSink = sum_.sourceInflow - sum_.sourceOutflow;
-    const scalar inflow =
-        sum_.rain + sum_.subsurfaceInflow + sum_.sourceInflow;
-    const scalar outflow =
-        sum_.surfaceOutflow + sum_.subsurfaceOutflow + sum_.sourceOutflow;
     const scalar change = surface + subsurface - initialStorage_;
-    const scalar error = change - (inflow - outflow);
+    const scalar error = change - (inflow() - outflow());
     const scalar scale = max
     (
-        max(inflow, outflow),
+        max(inflow(), outflow()),
         max(mag(change), storageShare*initialStorage_)
     );
     const scalar relativeError = mag(error)/max(scale, VSMALL);
