@@ -36,9 +36,14 @@ Description
     changes h by 1 % and d by 2 %. No dilation; a smooth wall behind.
 
     AFLIP, because the velocities that APIC smooths away over a cell matter
-    here: with it and 20 cells in d0 the deposit ends 10 % earlier. The number
-    of cells matters too: of 20 and 40 in d0 the second meets the law of heights
-    to 2 %, and d at a = 1 is 13 and 3 % short.
+    here: with it and 20 cells in d0 the deposit ends 10 % earlier.
+
+    The deposit of a low column is thin, and what its toe is short of is a matter
+    of cells: with 20, 40, 80 in d0, d at a = 0.7 is 0.83, 0.92, 0.99 of the law,
+    at a = 3 1.04 already with 20. So columns below a = 2 have smaller cells, of
+    the same number in all. The farthest points are single ones; the place
+    behind which 99.9 % of the rods lie has the exponent 0.78 where those have
+    0.81.
 
 \*---------------------------------------------------------------------------*/
 
@@ -61,14 +66,20 @@ struct Deposit
 };
 
 
-Deposit collapse(const double aspect, const int cells)
+//- With this number of cells in d0 or, in low columns, so many more that there
+//  are as many as at an aspect of 2; the aspect is rounded to whole rows of
+//  points, two in a cell
+Deposit collapse(const double about, const int cells)
 {
     using namespace verification;
 
     const double friction = 21.9;
+    const long columns =
+        std::lround(2*cells*std::sqrt(std::fmax(1, 2/about)));
+    const double aspect = double(std::lround(about*columns))/columns;
     const double h0 = aspect*d0;
     mpm::Settings settings;
-    settings.cellSize = d0/cells;
+    settings.cellSize = 2*d0/columns;
     settings.gravity = {{0, -gravity, 0}};
     settings.transferScheme = "AFLIP";
     settings.flipTime = 0.05;
@@ -80,7 +91,7 @@ Deposit collapse(const double aspect, const int cells)
         2,
         {{0, 0, 0}},
         {{d0, h0, 0}},
-        [](const mpm::Point3&) { return true; },
+        [=](const mpm::Point3& x) { return x[0] < d0 && x[1] < h0; },
         2075
     );
     points.cohesionIntercept.assign(points.size(), 0);
@@ -167,10 +178,11 @@ void verification::rodCollapse(Checks& checks, const bool longVersion)
       ? std::vector<double>{0.7, 1, 1.4, 2, 2.6, 3}
       : std::vector<double>{0.7, 1.4, 2};
     std::vector<Deposit> deposits;
-    for (const double aspect : aspects)
+    for (const double about : aspects)
     {
-        deposits.push_back(collapse(aspect, cells));
+        deposits.push_back(collapse(about, cells));
         const Deposit& d = deposits.back();
+        const double aspect = d.aspect;
         std::ostringstream name;
         name << "a = " << aspect << ": ";
         checks.report
@@ -216,10 +228,9 @@ void verification::rodCollapse(Checks& checks, const bool longVersion)
         "d/d0: exponent",
         length.exponent,
         0.67,
-        0.92,
-        "published 0.72; 0.05 was aimed at and is missed: low columns stop "
-        "early, high ones run too far, as friction alone has no law for fast "
-        "flow"
+        0.84,
+        "published 0.72; 0.05 was aimed at and is missed, by 0.04: friction "
+        "alone has no law for fast flow, and high columns run too far"
     );
 }
 
