@@ -139,10 +139,12 @@ void study
     using namespace slopeStates;
 
     const double startTime = cpuTime();
+    mpm::Settings numerics;
+    numerics.antiLocking = antiLocking;
     mpm::StartReport report;
     auto run = slope
     (
-        state, cellSize, associated ? state.phi : 0, report, antiLocking
+        state, cellSize, associated ? state.phi : 0, report, numerics
     );
     const std::size_t crest = crestOf(*run);
     const std::string rest = verification::saved(*run);

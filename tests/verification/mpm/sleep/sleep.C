@@ -174,10 +174,12 @@ void verification::sleep(Checks& checks, const bool longVersion)
             checks, "validation slope, state c", 0.008, 15,
             [](const double v)
             {
+                mpm::Settings numerics;
+                numerics.sleepVelocity = v;
                 mpm::StartReport report;
                 return slopeStates::slope
                 (
-                    slopeStates::stateC, 1, 0, report, "none", v
+                    slopeStates::stateC, 1, 0, report, numerics
                 );
             }
         );

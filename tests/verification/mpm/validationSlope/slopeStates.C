@@ -76,19 +76,14 @@ std::unique_ptr<mpm::Run> slopeStates::slope
     const double cellSize,
     const double dilationAngle,
     mpm::StartReport& report,
-    const std::string& antiLocking,
-    const double sleepVelocity,
-    const double sleepDelay
+    const mpm::Settings& numerics
 )
 {
     using namespace verification;
 
-    mpm::Settings settings;
+    mpm::Settings settings = numerics;
     settings.cellSize = cellSize;
     settings.gravity = {{0, -gravity, 0}};
-    settings.antiLocking = antiLocking;
-    settings.sleepVelocity = sleepVelocity;
-    settings.sleepDelay = sleepDelay;
 
     const double left = -46, right = 24, base = -10;
     mpm::PointData points = seed
@@ -155,11 +150,10 @@ std::unique_ptr<mpm::Run> slopeStates::associatedSlope
         std::atan(std::tan(verification::degree*state.phi)/F)
        /verification::degree;
 
+    mpm::Settings numerics;
+    numerics.antiLocking = antiLocking;
     mpm::StartReport report;
-    return slope
-    (
-        {state.cohesion/F, phi, 1}, cellSize, phi, report, antiLocking
-    );
+    return slope({state.cohesion/F, phi, 1}, cellSize, phi, report, numerics);
 }
 
 // ************************************************************************* //
