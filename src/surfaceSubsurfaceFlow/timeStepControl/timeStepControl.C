@@ -153,6 +153,7 @@ Foam::timeStepControl::timeStepControl
     (
         runTime.controlDict().lookupOrDefault<bool>("adjustTimeStep", true)
     ),
+    rescue_(true),
     proposal_(firstStep_),
     previous_(firstStep_),
     beforePrevious_(firstStep_),
@@ -174,7 +175,7 @@ Foam::timeStepControl::timeStepControl
         dict,
         {
             "localError", "fewIterations", "growth", "cut", "maxCuts",
-            "maxLost", "leastAdvance"
+            "maxLost", "leastAdvance", "rescue"
         }
     );
 
@@ -231,6 +232,8 @@ Foam::timeStepControl::timeStepControl
         [](const scalar x) { return x >= 0 && x <= 1; },
         "0 <= leastAdvance <= 1"
     );
+
+    rescue_ = dict.lookupOrDefault<bool>("rescue", true);
 
     const dictionary& times = runTime.controlDict();
     minStep_ =
@@ -318,12 +321,12 @@ bool Foam::timeStepControl::rejects(coupledFlow& water)
             water.latest().dried ? rejection::dried : rejection::notConverged
         ];
 
-        if (step_.carries)
+        if (rescue_ && step_.carries)
         {
             step_.carries = false;
             step_.nRates = 0;
         }
-        else if (!step_.fallback && water.hasSoil())
+        else if (rescue_ && !step_.fallback && water.hasSoil())
         {
             step_.fallback = true;
         }

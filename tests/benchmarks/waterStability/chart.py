@@ -1,4 +1,4 @@
-"""Chart of waterStability.csv: a map of iterations for each scheme.
+"""Chart of waterStability.csv: for each scheme a map of iterations, and where it fails.
 
 Usage: chart.py <waterStability.csv> <waterStability.png>
 
@@ -20,42 +20,71 @@ MAPS = {
 }
 
 
+# What is marked on a place of a map, over all runs there: label, marker, colour
+MARKS = {
+    "unfinished": ("did not finish", "x", "red"),
+    "wrong": ("wrong answer", "o", "orange"),
+    "stopped": ("did not finish without rescue", "v", "white"),
+}
+
+
+def survey(rows, second):
+    """Places of the map with their most iterations, rejected steps and marks."""
+    xs = list(dict.fromkeys(row["x"] for row in rows))
+    ys = list(dict.fromkeys(row[second] for row in rows))
+    grid = [[0.0] * len(xs) for _ in ys]
+    rejected = {}
+    marks = {name: set() for name in MARKS}
+    for row in rows:
+        i, j = xs.index(row["x"]), ys.index(row[second])
+        finished = row["finished"] == "1"
+        if row["rescue"] == "no":
+            if not finished:
+                marks["stopped"].add((i, j))
+            continue
+        if not finished:
+            marks["unfinished"].add((i, j))
+            continue
+        grid[j][i] = max(grid[j][i], float(row["nonlinearIterations"]))
+        rejected[i, j] = max(rejected.get((i, j), 0), int(row["rejectedSteps"]))
+        if row["wrong"] == "1":
+            marks["wrong"].add((i, j))
+    return xs, ys, grid, rejected, marks
+
+
 def draw(rows):
-    """One panel a map and scheme; white: rejected steps, crosses: did not finish."""
+    """One panel a map and scheme; numbers: rejected steps."""
     pairs = list(dict.fromkeys((row["map"], row["scheme"]) for row in rows))
     columns = 4
     figure, panels = plt.subplots(-(-len(pairs) // columns), columns, figsize=(14, 11))
     for axes in panels.flat[len(pairs):]:
         axes.axis("off")
     for axes, (name, scheme) in zip(panels.flat, pairs):
-        chosen = where(rows, map=name, scheme=scheme)
         second = "z" if name == "overland" else "y"
-        xs = list(dict.fromkeys(row["x"] for row in chosen))
-        ys = list(dict.fromkeys(row[second] for row in chosen))
-        grid = [[0.0] * len(xs) for _ in ys]
-        rejected = {}
-        failed = []
-        for row in chosen:
-            place = xs.index(row["x"]), ys.index(row[second])
-            if row["finished"] == "1":
-                grid[place[1]][place[0]] = max(
-                    grid[place[1]][place[0]], float(row["nonlinearIterations"])
-                )
-                rejected[place] = max(rejected.get(place, 0), int(row["rejectedSteps"]))
-            else:
-                failed.append(place)
+        xs, ys, grid, rejected, marks = survey(where(rows, map=name, scheme=scheme), second)
         image = axes.imshow(grid, origin="lower", aspect="auto", cmap="viridis")
-        for place, steps in rejected.items():
+        for (i, j), steps in rejected.items():
             if steps:
-                axes.text(*place, steps, color="white", fontsize=7, ha="center", va="center")
-        if failed:
-            axes.plot(*zip(*failed), "rx", markersize=10, markeredgewidth=2)
+                axes.text(i, j + 0.25, steps, color="white", fontsize=6, ha="center", va="center")
+        for kind, (label, marker, colour) in MARKS.items():
+            if marks[kind]:
+                faces = "none" if marker == "o" else colour
+                axes.scatter(*zip(*sorted(marks[kind])), marker=marker, s=60 if marker == "o" else 18,
+                             edgecolors=None if marker == "x" else colour, facecolors=faces,
+                             label=label)
         axes.set_xticks(range(len(xs)), xs, fontsize=6, rotation=30)
         axes.set_yticks(range(len(ys)), ys, fontsize=6)
         axes.set_xlabel(MAPS[name][0], fontsize=7)
         axes.set_ylabel(MAPS[name][1], fontsize=7)
-        axes.set_title(f"{name}: {scheme}, iterations; white: steps rejected", fontsize=8)
+        axes.set_title(f"{name}: {scheme}, iterations; numbers: steps rejected", fontsize=8)
         figure.colorbar(image, ax=axes)
+    legend = [
+        plt.Line2D([], [], linestyle="", marker=marker, color=colour, markeredgecolor="black"
+                   if colour == "white" else colour, markerfacecolor="none" if marker == "o"
+                   else colour, label=label)
+        for label, marker, colour in MARKS.values()
+    ]
+    panels.flat[-1].legend(handles=legend, loc="center")
     return figure
 
 
