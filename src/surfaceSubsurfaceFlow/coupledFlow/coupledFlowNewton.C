@@ -58,6 +58,10 @@ Foam::coupledFlow::limits Foam::coupledFlow::residualLimits() const
     const scalar epsilon = std::numeric_limits<scalar>::epsilon();
     const scalar roundOff = 4*epsilon;
 
+    // Share of the water there is beyond which round-off is no excuse: the
+    // fluxes of a step of that length cannot be told from none
+    const scalar largestNoise = 1e-10;
+
     // The sum of the residuals is the error of the balance: small also against
     // all that has come in and left so far, where that is less than what the step
     // moves inside
@@ -91,13 +95,16 @@ Foam::coupledFlow::limits Foam::coupledFlow::residualLimits() const
     Pstream::listCombineGather(volumes, plusEqOp<scalar>());
     Pstream::listCombineScatter(volumes);
 
-    const scalar moved = crossed + changed + infiltrated;
+    // No more infiltrates than there is: in a trial that goes astray faces of the
+    // ground have any flux, and would make its residuals look small
+    const scalar moved =
+        crossed + changed + min(infiltrated, crossed + total);
 
     limits result;
     result.balance =
         tolerance_*min(sum*(crossedBefore_ + crossed), moved)
       + 2*epsilon*total;
-    result.noise = roundOff*(total + passing);
+    result.noise = min(roundOff*(total + passing), largestNoise*total);
     result.norm = single*tolerance_*moved + result.noise;
 
     return result;
@@ -219,10 +226,11 @@ bool Foam::coupledFlow::iterate(const part solved)
     const scalar ceased = 0.5;
     const scalar many = 100;
 
-    // Multiple of its limit that the imbalance may then have, and the iterations
-    // at rest after which it may be as small as that only against what the step
-    // moves. More of it is water that nobody sent
+    // Multiple of its limit that the imbalance may then have, and a larger one
+    // after some iterations at rest, if it is small against what the step moves.
+    // More of it is water that nobody sent
     const scalar tolerated = 2;
+    const scalar toleratedAtLast = 100;
     const label nRest = 2;
 
     // Share of the imbalance whose loss is worth more iterations: where a front
@@ -284,7 +292,11 @@ bool Foam::coupledFlow::iterate(const part solved)
         scalar restLimit = tolerated*limit.balance;
         if (atRest && nAtRest++ >= nRest)
         {
-            restLimit += (limit.norm - limit.noise)/single;
+            restLimit = min
+            (
+                restLimit + (limit.norm - limit.noise)/single,
+                toleratedAtLast*limit.balance
+            );
         }
 
         p.converged =
@@ -317,7 +329,10 @@ bool Foam::coupledFlow::iterate(const part solved)
 
         {
             const workTimes::section timed(times_, workTimes::linearSolver);
-            p.linearIterations += solver_.solve(*matrix_, change);
+            p.linearIterations +=
+                small && polished
+              ? solver_.solveClosely(*matrix_, change)
+              : solver_.solve(*matrix_, change);
         }
         ++p.iterations;
 

@@ -247,6 +247,20 @@ void Foam::coupledFlow::accept()
 {
     unknownsOld_ = unknowns_;
     leftOver_ = remainder_;
+
+    // A face without water has no storage: what is left in it would be a flux
+    // that grows as the step is cut, and no head might drive it. The soil below
+    // takes it
+    forAll(water_->depth(), i)
+    {
+        if (soil_ && water_->depth()[i] <= 0)
+        {
+            const label facei = ground_.faces()[i];
+
+            leftOver_[mesh_.faceOwner()[facei]] += leftOver_[start_ + i];
+            leftOver_[start_ + i] = 0;
+        }
+    }
     keptRemainder_->keep(leftOver_);
 
     volumes_->end();

@@ -46,12 +46,20 @@ Foam::label Foam::coupledSolver::solveCurrent
 (
     coupledMatrix& matrix,
     scalarField& step,
-    const label maxIterations
+    const label maxIterations,
+    const scalar part
 )
 {
     usage& solver = solvers_[current_];
 
     dictionary controls(solver.controls);
+    if (part < 1)
+    {
+        for (const word& tolerance : {"tolerance", "relTol"})
+        {
+            controls.set(tolerance, part*controls.get<scalar>(tolerance));
+        }
+    }
     if (maxIterations < controls.lookupOrDefault<label>("maxIter", labelMax))
     {
         controls.set("maxIter", maxIterations);
@@ -165,6 +173,20 @@ Foam::label Foam::coupledSolver::solve
     }
 
     return n + nCoarse;
+}
+
+
+Foam::label Foam::coupledSolver::solveClosely
+(
+    coupledMatrix& matrix,
+    scalarField& step
+)
+{
+    const scalar part = 1e-4;
+
+    step = Zero;
+
+    return solveCurrent(matrix, step, labelMax, part);
 }
 
 // ************************************************************************* //
