@@ -326,6 +326,11 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh)
             water_->depthRateOld()[i] = overland_->depthRateOld()[i];
         }
     }
+    for (label i = ground_.nRouted(); i < ground_.size(); ++i)
+    {
+        water_->depthRate()[i] = soil_->pondRate(ground_.faces()[i]);
+        water_->depthRateOld()[i] = soil_->pondRateOld(ground_.faces()[i]);
+    }
 
     unknownsOld_ = unknowns_;
 
@@ -457,6 +462,11 @@ void Foam::coupledFlow::setFields()
     if (soil_)
     {
         soil_->setFields();
+    }
+    for (label i = ground_.nRouted(); i < ground_.size(); ++i)
+    {
+        soil_->pondRate(ground_.faces()[i]) = water_->depthRate()[i];
+        soil_->pondRateOld(ground_.faces()[i]) = water_->depthRateOld()[i];
     }
 
     if (overland_)

@@ -22,6 +22,23 @@ License
 
 #include "subsurfaceFlow.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- The value of a field on a face of the boundary
+static scalar& boundaryValue(volScalarField& field, const label facei)
+{
+    const polyBoundaryMesh& patches = field.mesh().boundaryMesh();
+    const label patchi = patches.whichPatch(facei);
+
+    return field.boundaryFieldRef()[patchi][facei - patches[patchi].start()];
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::tmp<Foam::scalarField> Foam::subsurfaceFlow::patchHead
@@ -74,6 +91,19 @@ Foam::tmp<Foam::scalarField> Foam::subsurfaceFlow::patchHead
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar& Foam::subsurfaceFlow::pondRate(const label facei)
+{
+    return boundaryValue(storageRate_, facei);
+}
+
+
+Foam::scalar& Foam::subsurfaceFlow::pondRateOld(const label facei)
+{
+    return boundaryValue(storageRateOld_, facei);
+}
+
+
 
 void Foam::subsurfaceFlow::endStep(const scalar dt)
 {
