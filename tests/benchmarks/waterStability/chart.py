@@ -84,7 +84,7 @@ def draw(rows):
                    else colour, label=label)
         for label, marker, colour in MARKS.values()
     ]
-    panels.flat[-1].legend(handles=legend, loc="center")
+    panels.flat[0].legend(handles=legend, loc="lower left", fontsize="small")
     return figure
 
 
