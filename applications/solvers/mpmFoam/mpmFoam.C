@@ -43,7 +43,8 @@ Usage
         default slopeStability.
 
     With points from a file (see Foam::slidePoints) neither mesh nor fields are
-    needed, and the hydrological time is 0 unless -time chooses another.
+    needed, and the hydrological time is 0 unless -time chooses another. Its
+    folder is made, for the states from which a killed slide goes on.
 
     With -parallel the ranks share the slide. The case is decomposed for as many
     ranks, or not at all; then each of them reads the whole of it.
@@ -127,6 +128,13 @@ int main(int argc, char *argv[])
         if (args.found("time"))
         {
             runTime.setTime(selectedTimes(runTime, args).last(), 0);
+        }
+
+        // Points from a file need no time folder, but what a killed slide goes
+        // on from lies in one
+        if (Pstream::master())
+        {
+            mkDir(runTime.globalPath()/runTime.timeName());
         }
 
         landslideRunout(name, runTime, nullptr, options).execute(std::nullopt);

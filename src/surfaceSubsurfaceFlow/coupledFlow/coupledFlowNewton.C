@@ -65,7 +65,7 @@ Foam::coupledFlow::limits Foam::coupledFlow::residualLimits() const
     // The sum of the residuals is the error of the balance: small also against
     // all that has come in and left so far, where that is less than what the step
     // moves inside
-    const scalar sum = 0.25;
+    const scalar margin = 0.25;
 
     // Water that came in or left, by which storages changed, that infiltrated,
     // that there is, and that passes faces
@@ -102,7 +102,7 @@ Foam::coupledFlow::limits Foam::coupledFlow::residualLimits() const
 
     limits result;
     result.balance =
-        tolerance_*min(sum*(crossedBefore_ + crossed), moved)
+        tolerance_*min(margin*(crossedBefore_ + crossed), moved)
       + 2*epsilon*total;
     result.noise = min(roundOff*(total + passing), largestNoise*total);
     result.norm = single*tolerance_*moved + result.noise;

@@ -104,7 +104,6 @@ Foam::scalar& Foam::subsurfaceFlow::pondRateOld(const label facei)
 }
 
 
-
 void Foam::subsurfaceFlow::endStep(const scalar dt)
 {
     storageRateOld_.primitiveFieldRef() = storageRate_.primitiveField();

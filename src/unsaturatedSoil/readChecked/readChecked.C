@@ -85,12 +85,14 @@ const Foam::dictionary& Foam::checkKeys
 
         if (!isValue && !isDictionary)
         {
-            wordList valid(values);
-            valid.append(dictionaries);
+            // A key may be allowed as both
+            wordHashSet valid(values);
+            valid.insert(dictionaries);
 
             FatalIOErrorInFunction(dict)
-                << "Unknown key " << e.keyword() << " in " << dict.name() << nl
-                << "    Valid keys: " << flatOutput(valid)
+                << "Unknown key " << e.keyword() << ", line "
+                << e.startLineNumber() << " of " << dict.name() << nl
+                << "    Valid keys: " << flatOutput(valid.sortedToc())
                 << exit(FatalIOError);
         }
 
