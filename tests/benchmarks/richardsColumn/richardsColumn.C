@@ -29,8 +29,9 @@ Description
     Method of lines on the mixed form d theta(h)/dt = -dq/dz: equal cells,
     arithmetic mean of K and central differences (second order), TR-BDF2 with
     the step set by its embedded estimate of third order, Newton's method for h
-    with a tridiagonal matrix. Curves are evaluated as formulas. Needs a
-    compiler and nothing else:
+    with a tridiagonal matrix. Curves are evaluated as formulas. Between two
+    soils the head on the face is an unknown of its own, of a node that holds no
+    water. Needs a compiler and nothing else:
 
         g++ -O3 -std=c++17 -o richardsColumn richardsColumn.C
 
@@ -40,6 +41,7 @@ Usage
         soil=vanGenuchten thetaS= thetaR= Ks= alpha= n= [l=0.5]
         soil=haverkamp    thetaS= thetaR= Ks= hTheta= beta= hK= gamma=
         soil=gardner      thetaS= thetaR= Ks= alpha=
+        [interface=<z> upper-soil= upper-thetaS= ...]   above this height
         length=  cells=         the column [m], z = 0 at its bottom
         initial=<psi>           or initial=table:<z>, with a water table there
         top=head:<psi>          or flux:<m/s, downwards>
@@ -54,7 +56,7 @@ Usage
 
 \*---------------------------------------------------------------------------*/
 
-#include "columnInput.H"
+#include "soilColumn.H"
 
 #include <algorithm>
 #include <cmath>
@@ -70,124 +72,6 @@ Usage
 
 namespace
 {
-
-//- The column: heads in, net inflow of each cell out
-class Column
-{
-    const Soil soil_;
-    const int n_;
-    const double dz_;
-    const End bottom_, top_;
-
-public:
-
-    //- Heads, their points, net inflow of the cells [m/s] and the flux at the
-    //- two ends (downwards)
-    struct State
-    {
-        std::vector<double> h;
-        std::vector<Point> at;
-        std::vector<double> inflow;
-        double bottomFlux, topFlux;
-    };
-
-    //- Derivatives of the inflow by the heads below, here and above
-    struct Jacobian
-    {
-        std::vector<double> below, here, above;
-    };
-
-    Column
-    (
-        Soil soil,
-        const int n,
-        const double length,
-        const End& bottom,
-        const End& top
-    )
-    :
-        soil_(std::move(soil)),
-        n_(n),
-        dz_(length/n),
-        bottom_(bottom),
-        top_(top)
-    {}
-
-    double dz() const
-    {
-        return dz_;
-    }
-
-    void evaluate(State& state, Jacobian* jacobian) const
-    {
-        state.at.resize(n_);
-        state.inflow.assign(n_, 0);
-        if (jacobian)
-        {
-            jacobian->below.assign(n_, 0);
-            jacobian->here.assign(n_, 0);
-            jacobian->above.assign(n_, 0);
-        }
-        for (int i = 0; i < n_; ++i) state.at[i] = soil_(state.h[i]);
-
-        // Face between cell i and i + 1
-        for (int i = 0; i + 1 < n_; ++i)
-        {
-            const Point& lower = state.at[i];
-            const Point& upper = state.at[i + 1];
-            const double gradient = (state.h[i + 1] - state.h[i])/dz_ + 1;
-            const double K = 0.5*(lower.K + upper.K);
-            state.inflow[i] += K*gradient;
-            state.inflow[i + 1] -= K*gradient;
-            if (jacobian)
-            {
-                const double byLower = 0.5*lower.dKdh*gradient - K/dz_;
-                const double byUpper = 0.5*upper.dKdh*gradient + K/dz_;
-                jacobian->here[i] += byLower;
-                jacobian->above[i] += byUpper;
-                jacobian->below[i + 1] -= byLower;
-                jacobian->here[i + 1] -= byUpper;
-            }
-        }
-
-        state.bottomFlux = -endFlux(bottom_, state, 0, -1, jacobian);
-        state.topFlux = endFlux(top_, state, n_ - 1, 1, jacobian);
-    }
-
-private:
-
-    //- Inflow through an end of the column; up is 1 at the top, -1 at the
-    //- bottom
-    double endFlux
-    (
-        const End& end,
-        State& state,
-        const int cell,
-        const int up,
-        Jacobian* jacobian
-    ) const
-    {
-        const Point& inside = state.at[cell];
-        double flux = up*end.value;
-        double derivative = 0;
-        if (end.kind == End::free)
-        {
-            flux = up*inside.K;
-            derivative = up*inside.dKdh;
-        }
-        else if (end.kind == End::head)
-        {
-            const double K = 0.5*(inside.K + soil_(end.value).K);
-            const double gradient = 2*(end.value - state.h[cell])/dz_ + up;
-            flux = K*gradient;
-            derivative = 0.5*inside.dKdh*gradient - 2*K/dz_;
-        }
-        state.inflow[cell] += flux;
-        if (jacobian) jacobian->here[cell] += derivative;
-        return flux;
-    }
-};
-
 
 //- Find the heads with theta(h) - weight inflow(h)/dz = known; false without
 //- success. The state is the start and the result
@@ -304,7 +188,15 @@ int run(Arguments& arguments)
 {
     const Soil soil = readSoil(arguments);
     const double length = arguments.number("length");
-    const int n = int(arguments.number("cells"));
+    const int nCells = int(arguments.number("cells"));
+    const double interface = arguments.number("interface", length);
+    const int nLower = int(std::lround(interface/length*nCells));
+    if (std::abs(nLower*length/nCells - interface) > 1e-9*length)
+    {
+        throw std::runtime_error("the interface lies within a cell");
+    }
+    const Soil upperSoil =
+        nLower < nCells ? readSoil(arguments, "upper-") : soil;
     const End bottom(arguments.word("bottom"));
     const End top(arguments.word("top"));
     const std::string initial = arguments.word("initial");
@@ -315,7 +207,8 @@ int run(Arguments& arguments)
     const double front = arguments.number("front", 0);
     arguments.refuseTheRest();
 
-    const Column column(soil, n, length, bottom, top);
+    const Column column(soil, upperSoil, nCells, nLower, length, bottom, top);
+    const int n = int(column.z().size());
 
     Column::State now;
     now.h.resize(n);
@@ -323,7 +216,7 @@ int run(Arguments& arguments)
     {
         now.h[i] =
             initial.compare(0, 6, "table:") == 0
-          ? std::stod(initial.substr(6)) - (i + 0.5)*column.dz()
+          ? std::stod(initial.substr(6)) - column.z()[i]
           : std::stod(initial);
     }
     column.evaluate(now, nullptr);
@@ -379,7 +272,7 @@ int run(Arguments& arguments)
                   + next.inflow[i]/(1 - g)
                 );
             }
-            error *= 2*std::abs(k)*dt/(column.dz()*n);
+            error *= 2*std::abs(k)*dt/(column.dz()*nCells);
         }
         if (!good || error > tolerance)
         {
@@ -414,7 +307,7 @@ int run(Arguments& arguments)
         "# %d cells, tolerance %g: %ld steps, %ld rejected, %ld iterations\n"
         "# through the top %.8g m, through the bottom %.8g m,"
         " error of the balance %.2e m\n",
-        n, tolerance, steps, rejected, iterations,
+        nCells, tolerance, steps, rejected, iterations,
         infiltration, drainage, storage() - first - infiltration + drainage
     );
     if (hasFront)
@@ -428,15 +321,20 @@ int run(Arguments& arguments)
                 std::printf
                 (
                     "# psi = %g m at a depth of %.6f m\n",
-                    front, (n - 1 - i + 0.5 + below)*column.dz()
+                    front,
+                    length - column.z()[i]
+                  + below*(column.z()[i] - column.z()[i - 1])
                 );
                 break;
             }
         }
     }
 
-    std::vector<double> theta(n);
-    for (int i = 0; i < n; ++i) theta[i] = now.at[i].theta;
+    std::vector<double> theta;
+    for (int i = 0; i < n; ++i)
+    {
+        if (!column.isInterface(i)) theta.push_back(now.at[i].theta);
+    }
     for (int bin = 0; bin < bins; ++bin)
     {
         const double mean =
@@ -444,7 +342,8 @@ int run(Arguments& arguments)
         std::printf
         (
             "%.8g %.9g %.8g\n",
-            (bin + 0.5)*length/bins, mean, headOf(soil, mean)
+            (bin + 0.5)*length/bins, mean,
+            headOf((bin + 0.5)*length/bins < interface ? soil : upperSoil, mean)
         );
     }
     return 0;
