@@ -5,6 +5,7 @@ Copyright (C) 2026 the slideFoam authors, GPL-3.0-or-later
 """
 
 import csv
+import pathlib
 import sys
 
 import matplotlib
@@ -13,6 +14,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402 (the backend comes first)
 
 FLUXES = ("monotone", "integralMean", "integralUpwind", "upwind", "arithmetic", "geometric")
+BENCHMARKS = pathlib.Path(__file__).resolve().parent
 COLOURS = dict(zip(FLUXES, plt.rcParams["axes.prop_cycle"].by_key()["color"]))
 
 
@@ -32,6 +34,20 @@ def numbers(rows, name):
 def where(rows, **values):
     """The rows in which these columns have these values."""
     return [row for row in rows if all(row[k] == v for k, v in values.items())]
+
+
+def draw_peers(axes, case, measure):
+    """Other codes' points of peers.csv, as a grey band where no CPU time is known."""
+    rows = where(read(BENCHMARKS / "peers.csv")[1], case=case, errorMeasure=measure)
+    for marker, code in zip("*PdXs", dict.fromkeys(row["code"] for row in rows)):
+        points = where(rows, code=code)
+        times = numbers(points, "cpu_s")
+        lows, highs = numbers(points, "errorLow"), numbers(points, "errorHigh")
+        if any(time == time for time in times):
+            axes.loglog(times, highs, "--", marker=marker, color="black", linewidth=0.7, label=code)
+        else:
+            axes.axhspan(min(lows), 1.01 * max(highs), color="grey", alpha=0.5,
+                         label=f"{code}, time not known")
 
 
 def save(figure, notes, target):

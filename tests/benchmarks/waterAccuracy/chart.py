@@ -1,4 +1,6 @@
-"""Chart of waterAccuracy.csv: error over CPU seconds, a panel a measure.
+"""Chart of waterAccuracy.csv, and celia.csv: error over CPU seconds, a panel a measure.
+
+Other codes' points come from ../peers.csv.
 
 Usage: chart.py <waterAccuracy.csv> <waterAccuracy.png>
 
@@ -10,22 +12,20 @@ import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from chartTools import COLOURS, FLUXES, numbers, plt, run, where  # noqa: E402
+from chartTools import BENCHMARKS, COLOURS, FLUXES, draw_peers, numbers, plt, read, run, where  # noqa: E402
 
-# Errors of other codes, of which no CPU time is known, from lowest to highest:
-# ParFlow's OverlandFlow on the tilted V is 8 % below 3.946 m3/s after 45 min; in the
-# hillside the codes of the comparison differ by 5 to 20 % of the peak of 1.201
-# m3/min
-PEERS = {
-    "tiltedV": ("ParFlow OverlandFlow, 45 min", 0.316, 0.316),
-    "saturationExcess": ("between published codes", 0.060, 0.240),
-}
+CELIA = BENCHMARKS / "results" / "celia.csv"
 
 
 def draw(rows):
     """A panel for each case and measure of its error."""
+    rows = rows + [
+        {**row, "case": "celia", "errorMeasure": "L1theta", "error": row["L1theta"]}
+        for row in read(CELIA)[1]
+    ]
     measures = list(dict.fromkeys((row["case"], row["errorMeasure"]) for row in rows))
-    figure, panels = plt.subplots(2, (len(measures) + 1) // 2, figsize=(14, 8))
+    figure, panels = plt.subplots(2, len(measures) // 2 + 1, figsize=(16, 8))
+    lines = {}
     for axes, (case, measure) in zip(panels.flat, measures):
         chosen = where(rows, case=case, errorMeasure=measure)
         for flux in ("-", *FLUXES):
@@ -35,15 +35,19 @@ def draw(rows):
                     axes.loglog(numbers(points, "cpu_s"), numbers(points, "error"), line,
                                 marker="o", markersize=3, color=COLOURS.get(flux, "black"),
                                 label=f"{flux}, {scheme}")
-        if case in PEERS:
-            label, low, high = PEERS[case]
-            axes.axhspan(low, high * 1.01, color="grey", alpha=0.5, label=label)
-            axes.legend(fontsize=6)
-        axes.set_title(f"{case}, {measure}", fontsize=8)
+        lines.update(zip(*reversed(axes.get_legend_handles_labels())))
+        schemes = len(axes.get_legend_handles_labels()[0])
+        draw_peers(axes, case, measure)
+        peers = [part[schemes:] for part in axes.get_legend_handles_labels()]
+        if peers[0]:
+            axes.legend(*peers, fontsize=6)
+        axes.set_title(f"{case}, {measure}" + " (of celia.csv)" * (case == "celia"), fontsize=8)
         axes.set_xlabel("CPU seconds")
+        axes.set_ylabel("error")
+        axes.tick_params(which="both", labelsize=6)
     for axes in panels.flat[len(measures):]:
         axes.axis("off")
-    panels.flat[0].legend(fontsize=6, ncol=2)
+    panels.flat[len(measures)].legend(lines.values(), lines.keys(), loc="center")
     return figure
 
 
