@@ -30,9 +30,10 @@ Description
     checks and all.
 
     Writes a table with one row for each dimension, number of points and
-    number of threads. Each number is the best of several windows of time: for
-    one thread by the processor time it used, for more by the wall clock, which
-    other work on the machine lowers. The load is noted.
+    number of threads. Each number is the best of several windows, which are the
+    same steps for each number of threads: for one thread by the processor time
+    it used, for more by the wall clock, which other work on the machine lowers.
+    The load is noted.
 
     A second table says where the time of a step goes on one core, what shares
     of this core's measured limits are reached (operations and bytes of a point
@@ -101,6 +102,8 @@ std::unique_ptr<mpm::Simulation<dim>> column
 }
 
 
+//- Windows of a number of steps; of as many as take so many seconds, if it is
+//  still zero
 template<int dim>
 void measure
 (
@@ -109,7 +112,8 @@ void measure
     const machineLimits& limits,
     const int cells,
     const int threads,
-    const double seconds
+    const double seconds,
+    long& steps
 )
 {
     double setUp = 0;
@@ -121,7 +125,6 @@ void measure
     run->save(saved);
     const long sortsBefore = run->diagnostics().sorts;
 
-    long steps = 0;
     double best = 0;
     for (int window = 0; window < windows; ++window)
     {
@@ -131,7 +134,7 @@ void measure
 
         const double start = now(threads);
         double elapsed = 0;
-        if (window == 0)
+        if (steps == 0)
         {
             while (elapsed < seconds)
             {
@@ -212,9 +215,14 @@ void measureAll
         {
             continue;
         }
+        // The same part of the slide for each number of threads
+        long steps = 0;
         for (int threads = 1; threads <= mostThreads; threads *= 2)
         {
-            measure<dim>(table, stageTable, limits, n, threads, seconds);
+            measure<dim>
+            (
+                table, stageTable, limits, n, threads, seconds, steps
+            );
         }
     }
 }
