@@ -70,7 +70,8 @@ void Foam::soilMechanics::readSoftening(const dictionary& dict)
         dict,
         {
             "residualCohesion", "residualFrictionAngle",
-            "residualDilationAngle", "peakStrain", "residualStrain", "length"
+            "residualDilationAngle", "peakStrain", "residualStrain", "length",
+            "regularisation"
         }
     );
 
@@ -113,6 +114,11 @@ void Foam::soilMechanics::readSoftening(const dictionary& dict)
         "> peakStrain"
     );
     softening.length = readChecked(dict, "length", positive, "> 0 m");
+    softening.regularisation = dict.getOrDefault<word>
+    (
+        "regularisation",
+        softening.regularisation
+    );
 }
 
 

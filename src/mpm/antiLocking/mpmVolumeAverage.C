@@ -21,57 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "mpmVolumeAverage.H"
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-template<int Dim, int Reach>
-template<class Function>
-void mpm::VolumeAverage<Dim, Reach>::forNodes
-(
-    const BlockGrid<Dim>& grid,
-    const Block& block,
-    const Vector<Dim>& x,
-    const Function& f
-) const
-{
-    // A block's points touch no node beyond its patch, whatever their shape
-    // function; round-off of one on the rim is kept inside
-    double weight[3][2] = {{1, 0}, {1, 0}, {1, 0}};
-    int node = 0;
-    int stride = 1;
-    for (int d = 0; d < Dim; ++d)
-    {
-        const double local =
-            (x[d] - grid.origin()[d])/grid.cellSize()
-          - double(BlockGrid<Dim>::edge)*block.at[d];
-        const int cell = std::min
-        (
-            std::max(int(std::floor(local)), 0), patchEdge - width_
-        );
-        if (width_ == 2)
-        {
-            weight[d][1] = local - cell;
-            weight[d][0] = 1 - weight[d][1];
-        }
-        node += stride*cell;
-        stride *= patchEdge;
-    }
-
-    const int depth = Dim == 2 ? 1 : width_;
-    for (int k = 0; k < depth; ++k)
-    {
-        for (int j = 0; j < width_; ++j)
-        {
-            const int row = node + patchEdge*(j + patchEdge*k);
-            const double w = weight[1][j]*weight[2][k];
-            for (int i = 0; i < width_; ++i)
-            {
-                f(row + i, w*weight[0][i]);
-            }
-        }
-    }
-}
-
+#include "mpmLinearNodes.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -126,11 +76,12 @@ void mpm::VolumeAverage<Dim, Reach>::average
                 }
                 const double v = cloud.volume[p];
                 const Node sent{v*values_[p], 0, 0, v};
-                forNodes
+                forLinearNodes<Dim, Reach>
                 (
                     grid,
                     grid[b],
                     cloud.x[p],
+                    width_,
                     [&](const int node, const double w)
                     {
                         patch[node] += Node{w, w, w, w}*sent;
@@ -168,11 +119,12 @@ void mpm::VolumeAverage<Dim, Reach>::average
             for (const std::int32_t p : grid[b].points)
             {
                 double smooth = 0;
-                forNodes
+                forLinearNodes<Dim, Reach>
                 (
                     grid,
                     grid[b],
                     cloud.x[p],
+                    width_,
                     [&](const int node, const double w)
                     {
                         smooth += w*patch[node][mean];

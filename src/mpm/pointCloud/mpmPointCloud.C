@@ -23,6 +23,7 @@ License
 #include "mpmPointCloud.H"
 #include "mpmNames.H"
 
+#include <algorithm>
 #include <cmath>
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -61,6 +62,8 @@ void mpm::PointCloud<Dim>::assign
           : data.equivalentPlasticStrain[j];
         id[i] = std::int32_t(j);
     }
+    softeningStrain.clear();
+    countedStrain.clear();
     leftCauchyGreen.clear();
     dilation.clear();
     plasticWork.clear();
@@ -105,6 +108,24 @@ void mpm::PointCloud<Dim>::keepSize()
     for (std::size_t i = 0; i < size(); ++i)
     {
         halfSize[i].fill(0.5*std::pow(volume[i], 1.0/Dim));
+    }
+}
+
+
+template<int Dim>
+void mpm::PointCloud<Dim>::keepSofteningStrain()
+{
+    softeningStrain = plasticStrain;
+    countedStrain = plasticStrain;
+}
+
+
+template<int Dim>
+void mpm::PointCloud<Dim>::forgetPlasticStrain()
+{
+    for (auto* strain : {&plasticStrain, &softeningStrain, &countedStrain})
+    {
+        std::fill(strain->begin(), strain->end(), 0.0);
     }
 }
 

@@ -47,6 +47,13 @@ const std::vector<std::string>& mpm::Material::druckerPragerFits()
 }
 
 
+const std::vector<std::string>& mpm::SofteningSettings::regularisations()
+{
+    static const std::vector<std::string> names{"crackBand", "nonlocal"};
+    return names;
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void mpm::Material::validate() const
@@ -81,6 +88,12 @@ void mpm::Material::validate() const
     );
     if (softening.length > 0)
     {
+        choose
+        (
+            zone + "regularisation",
+            softening.regularisation,
+            SofteningSettings::regularisations()
+        );
         require
         (
             softening.residualCohesion >= 0,

@@ -366,6 +366,7 @@ mpm::Simulation<Dim>::Simulation
         communicator
     ),
     cycle_(Cycle<Dim>::New(settings)),
+    nonlocalStrain_(NonlocalStrain<Dim>::New(settings, state_.laws)),
     clock_(),
     nPoints_(points.size()),
     totalMass_(0)
@@ -414,6 +415,10 @@ mpm::Simulation<Dim>::Simulation
     {
         state_.cloud.keepDeformation();
     }
+    if (state_.laws.nonlocal())
+    {
+        state_.cloud.keepSofteningStrain();
+    }
     if (averagesDilation())
     {
         state_.cloud.dilation.assign(state_.cloud.size(), 0);
@@ -448,6 +453,10 @@ double mpm::Simulation<Dim>::step(const double deltaTLimit)
     }
 
     clock_.deltaT = std::min(stableDeltaT(), deltaTLimit);
+    if (nonlocalStrain_)
+    {
+        nonlocalStrain_->update(state_);
+    }
     if (account_)
     {
         account_->begin(state_, *cycle_, clock_.deltaT);

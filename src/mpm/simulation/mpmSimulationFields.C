@@ -247,7 +247,14 @@ void mpm::Simulation<Dim>::setField
     if (name == "cohesionIntercept") scalars(cloud.cohesion);
     else if (name == "frictionAngle") setFrictionAngle(values);
     else if (name == "porePressure") scalars(cloud.porePressure);
-    else if (name == "equivalentPlasticStrain") scalars(cloud.plasticStrain);
+    else if (name == "equivalentPlasticStrain")
+    {
+        scalars(cloud.plasticStrain);
+        if (state_.laws.nonlocal())
+        {
+            cloud.keepSofteningStrain();
+        }
+    }
     else if (name == "sigma")
     {
         std::vector<double> own;

@@ -302,6 +302,7 @@ void mpm::Simulation<Dim>::restore(std::istream& is)
                 (
                     cloud.leftCauchyGreen, state_.laws.needsDeformation()
                 )
+             || !isGiven(cloud.softeningStrain, state_.laws.nonlocal())
              || !isGiven(cloud.dilation, averagesDilation())
              || !isGiven(cloud.plasticWork, state_.settings.energyAccount)
             )

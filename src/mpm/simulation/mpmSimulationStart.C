@@ -306,7 +306,7 @@ mpm::StartReport mpm::Simulation<Dim>::comeToRest
         halt();
         report.atRest = false;
     }
-    std::fill(cloud.plasticStrain.begin(), cloud.plasticStrain.end(), 0.0);
+    cloud.forgetPlasticStrain();
     checkDuration("relaxationTime", settings.relaxationTime);
     relax(settings.relaxationTime, settings.restVelocity, report);
 
@@ -333,7 +333,7 @@ mpm::StartReport mpm::Simulation<Dim>::comeToRest
     report.yieldedFraction = double(yielded[0])/double(nPoints_);
 
     halt();
-    std::fill(cloud.plasticStrain.begin(), cloud.plasticStrain.end(), 0.0);
+    cloud.forgetPlasticStrain();
     cloud.release();
     state_.starting = false;
     begin(report);

@@ -68,8 +68,9 @@ mpm::Softening softeningOf
         return std::tan(std::acos(-1.0)/180*degrees);
     };
 
-    // Plastic strains of a cell that are those of the band
-    const double perBand = cellSize/settings.length;
+    // Plastic strains of a cell, or nonlocal ones, that are those of the band
+    const double perBand =
+        settings.nonlocal() ? 1 : cellSize/settings.length;
     mpm::Softening softening;
     softening.peakStrain = settings.peakStrain/perBand;
     softening.perStrain =
@@ -100,6 +101,15 @@ mpm::LawTable::LawTable
     for (const Material& material : materials_)
     {
         material.validate();
+        const SofteningSettings& softening = material.softening;
+        require
+        (
+            !softening.nonlocal()
+         || softening.length >= Softening::leastCells*cellSize,
+            "material " + material.name + ": softening length",
+            softening.length,
+            ">= 3.2 cellSize for a nonlocal regularisation [m]"
+        );
     }
 }
 
@@ -161,6 +171,7 @@ int mpm::LawTable::find(const int zone, const double frictionAngle)
     );
 
     law.softens = !law.elastic && material.softening.length > 0;
+    law.nonlocal = law.softens && material.softening.nonlocal();
     law.softening =
         law.softens
       ? softeningOf(material, frictionAngle, cellSize_)
@@ -212,6 +223,17 @@ bool mpm::LawTable::dilates() const
         materials_.begin(),
         materials_.end(),
         [](const Material& m) { return m.dilationAngle > 0; }
+    );
+}
+
+
+bool mpm::LawTable::nonlocal() const
+{
+    return std::any_of
+    (
+        materials_.begin(),
+        materials_.end(),
+        [](const Material& m) { return m.softening.nonlocal(); }
     );
 }
 

@@ -108,7 +108,10 @@ mpm::PlasticIncrement<mpm::Lanes> mpm::StressUpdate<Dim>::yield
     {
         const SoftenedStrength<Lanes> now = law.softening.strength
         (
-            gather(p, cloud.plasticStrain),
+            gather
+            (
+                p, law.nonlocal ? cloud.softeningStrain : cloud.plasticStrain
+            ),
             cohesion,
             gather(p, cloud.porePressure)
         );

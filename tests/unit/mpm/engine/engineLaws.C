@@ -58,6 +58,18 @@ mpm::Material softCone()
 }
 
 
+mpm::Material nonlocalSand(const double cellSize)
+{
+    mpm::Material material(soil());
+    material.name = "softening sand";
+    material.softening.residualFrictionAngle = 20;
+    material.softening.residualStrain = 0.01;
+    material.softening.length = 4*cellSize;
+    material.softening.regularisation = "nonlocal";
+    return material;
+}
+
+
 //- Points of the first zones in turn, for as many zones as are given
 void takeTurns(mpm::PointData& data, const int nZones)
 {
@@ -73,10 +85,10 @@ void checkRestart(const mpm::Settings& s)
 {
     CAPTURE(Dim);
     mpm::PointData data = box(Dim, s.cellSize, {{6, 6, 4}});
-    takeTurns(data, 4);
+    takeTurns(data, 5);
     const std::vector<mpm::Material> materials
     {
-        soil(), elastic(), neoHookean(), softCone()
+        soil(), elastic(), neoHookean(), softCone(), nonlocalSand(s.cellSize)
     };
     mpm::Simulation<Dim> straight(s, data, materials, baseAndSide(Dim));
     mpm::Simulation<Dim> first(s, data, materials, baseAndSide(Dim));
@@ -103,7 +115,7 @@ void checkRestart(const mpm::Settings& s)
         CHECK(same);
     }
 
-    mpm::Simulation<Dim> other(s, data, {soil(), soil(), soil(), soil()}, {});
+    mpm::Simulation<Dim> other(s, data, std::vector<mpm::Material>(5, soil()), {});
     saved.clear();
     saved.seekg(0);
     CHECK_THROWS_WITH_AS

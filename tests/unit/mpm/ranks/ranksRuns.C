@@ -198,7 +198,8 @@ void checkRanks
     const mpm::Settings& s,
     const int cells,
     const int steps,
-    const double dilationAngle = 0
+    const double dilationAngle = 0,
+    const mpm::SofteningSettings& softening = mpm::SofteningSettings()
 )
 {
     CAPTURE(Dim);
@@ -208,6 +209,7 @@ void checkRanks
     CAPTURE(s.antiLocking);
     mpm::Material material(soil());
     material.dilationAngle = dilationAngle;
+    material.softening = softening;
 
     const auto fall = [&](const Ranks& ranks, Outcome& outcome)
     {
@@ -285,6 +287,15 @@ TEST_CASE("several ranks give the run of one, bit by bit")
         s.antiLocking = antiLocking;
         checkRanks<3>(s, 7, 40, 15);
     }
+
+    // So does the nonlocal plastic strain
+    mpm::SofteningSettings nonlocal;
+    nonlocal.residualFrictionAngle = 10;
+    nonlocal.residualStrain = 0.3;
+    nonlocal.length = 1;
+    nonlocal.regularisation = "nonlocal";
+    checkRanks<2>(settings(2, 0.1), 20, 100, 0, nonlocal);
+    checkRanks<3>(settings(3, 0.2), 7, 100, 0, nonlocal);
 
     // Nodes that ranks share count once in the energy account
     mpm::Settings s = settings(2, 0.1);
