@@ -154,6 +154,19 @@ Foam::scalar Foam::coupledFlow::chopped
         }
     };
 
+    // Where evaporation sets in it is steep, and its slope falls from there on:
+    // drier, nothing would say how far to come back; from here on the iteration
+    // does not go too far
+    const auto stopWetter = [&](const scalar bend)
+    {
+        const scalar at = bend + beyond;
+
+        if ((from < bend && result > at) || (from > at && result < at))
+        {
+            result = at;
+        }
+    };
+
     const label celli =
         i < start_ ? i : mesh_.faceOwner()[ground_.faces()[i - start_]];
     const scalar dryEnd = soil_->table(celli).dryEnd();
@@ -167,6 +180,10 @@ Foam::scalar Foam::coupledFlow::chopped
     if (i >= start_)
     {
         stopAt(water_->dryUnknown(i - start_));
+        if (sources_)
+        {
+            stopWetter(soil_->table(celli).tauOfHead(sources_->driestHead()));
+        }
     }
 
     return result;

@@ -162,11 +162,17 @@ void Foam::waterSources::evaporation::beginStep
 }
 
 
+Foam::scalar Foam::waterSources::evaporation::driestHead() const
+{
+    return std::log(humidity_)/vapour_;
+}
+
+
 void Foam::waterSources::evaporation::writeInfo(Ostream& os) const
 {
     os  << "    " << name_ << ": evaporation from " << gSum(ground_.planArea())
         << " m2, as dry as the air at a surface head of "
-        << std::log(humidity_)/vapour_ << " m" << nl;
+        << driestHead() << " m" << nl;
 }
 
 // ************************************************************************* //

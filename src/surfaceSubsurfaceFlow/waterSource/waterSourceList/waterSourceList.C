@@ -100,6 +100,17 @@ Foam::scalar Foam::waterSourceList::outflow() const
 }
 
 
+Foam::scalar Foam::waterSourceList::driestHead() const
+{
+    scalar driest = 0;
+    for (const waterSource& source : *this)
+    {
+        driest = min(driest, source.driestHead());
+    }
+    return driest;
+}
+
+
 Foam::scalar Foam::waterSourceList::nextBreakPoint(const scalar t) const
 {
     scalar next = VGREAT;
