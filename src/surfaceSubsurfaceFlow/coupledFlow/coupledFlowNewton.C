@@ -33,6 +33,13 @@ namespace Foam
 //  is left goes into the next step
 static const scalar single = 100;
 
+//- Just beyond a bend of the curves, where the derivatives are those of the
+//  other side
+static const scalar beyond = 1e-12;
+
+//- No head is beyond this [m]
+static const scalar largestHead = 1e10;
+
 
 static bool allFinite(const UList<scalar>& values)
 {
@@ -120,6 +127,38 @@ Foam::scalar Foam::coupledFlow::imbalance() const
 }
 
 
+bool Foam::coupledFlow::singular(const scalarField& change) const
+{
+    if (!allFinite(change))
+    {
+        return true;
+    }
+
+    forAll(change, i)
+    {
+        if (unknowns_[i] > 0 && mag(change[i]) > largestHead)
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
+void Foam::coupledFlow::wetGround()
+{
+    forAll(ground_.faces(), i)
+    {
+        scalar& unknown = unknowns_[start_ + i];
+        unknown = max(unknown, water_->dryUnknown(i) + beyond);
+    }
+
+    setStates();
+    assemble();
+}
+
+
 Foam::scalar Foam::coupledFlow::chopped
 (
     const label i,
@@ -127,13 +166,7 @@ Foam::scalar Foam::coupledFlow::chopped
     const scalar step
 ) const
 {
-    // Just beyond a bend, where the derivatives are those of the other side
-    const scalar beyond = 1e-12;
-
-    // No head is beyond this [m]
-    const scalar largest = 1e10;
-
-    const scalar to = min(max(from + step, -largest), largest);
+    const scalar to = min(max(from + step, -largestHead), largestHead);
 
     if (!soil_ || part_ == part::runoff)
     {
@@ -202,6 +235,14 @@ void Foam::coupledFlow::update
 
     const scalarField from(unknowns_);
     const scalar norm = matrix_->norm();
+
+    // A part of what remains of the step is less, however far it was to go
+    scalarField whole(unknowns_.size());
+    forAll(whole, i)
+    {
+        whole[i] = chopped(i, from[i], step[i]);
+    }
+
     scalar fraction = 1;
 
     // By which residuals may grow whose sum is less than ever
@@ -209,9 +250,10 @@ void Foam::coupledFlow::update
 
     for (label halving = 0; halving <= maxHalvings; ++halving)
     {
-        forAll(unknowns_, i)
+        unknowns_ = whole;
+        if (halving > 0)
         {
-            unknowns_[i] = chopped(i, from[i], fraction*step[i]);
+            unknowns_ = from + fraction*(whole - from);
         }
 
         setStates();
@@ -273,6 +315,10 @@ bool Foam::coupledFlow::iterate(const part solved)
     // The latest iteration started from a small residual, and from where
     bool polished = false;
     label nAtRest = 0;
+
+    // Water was tried on all of the ground
+    bool triedWet = false;
+
     struct
     {
         scalarField unknowns;
@@ -353,10 +399,21 @@ bool Foam::coupledFlow::iterate(const part solved)
         }
         ++p.iterations;
 
-        if (returnReduce(!allFinite(change), orOp<bool>()))
+        if (returnReduce(singular(change), orOp<bool>()))
         {
-            p.singular = true;
-            return false;
+            if (!triedWet && part_ != part::runoff)
+            {
+                triedWet = true;
+                wetGround();
+                previousNorm = GREAT;
+                norm = matrix_->norm();
+                continue;
+            }
+            if (returnReduce(!allFinite(change), orOp<bool>()))
+            {
+                p.singular = true;
+                return false;
+            }
         }
 
         // Iterations that bring the balance in order, unless nothing but round-off

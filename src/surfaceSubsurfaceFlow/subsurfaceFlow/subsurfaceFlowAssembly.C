@@ -222,6 +222,58 @@ void Foam::subsurfaceFlow::assemblePatch
 }
 
 
+void Foam::subsurfaceFlow::assembleGround
+(
+    coupledMatrix& matrix,
+    const groundSurface& ground,
+    const richardsFlux& flux
+)
+{
+    forAll(ground.faces(), i)
+    {
+        const label facei = ground.faces()[i];
+        const soilTable::state& s = boundaryState(facei);
+        richardsFlux::flux f
+        (
+            flux
+            (
+                connections_[facei],
+                cellStates_[mesh_.faceOwner()[facei]],
+                s
+            )
+        );
+
+        pointFlux_[facei] = f.value;
+        fluxScale_ += f.scale;
+
+        // The face holds no water below the ground: what is drained from it
+        // falls with its conductivity, or no state of it might be a solution
+        const scalar correction = correction_.correction()[facei];
+        const scalar correctedK = correctedK_[facei - mesh_.nInternalFaces()];
+
+        if (correction < 0 && s.K < correctedK)
+        {
+            f.value += correction*s.K/correctedK;
+            f.dSecond += correction*s.dK/correctedK;
+        }
+        else
+        {
+            f.value += correction;
+        }
+
+        faceFlux_[facei] = f.value;
+
+        matrix.addFlux
+        (
+            matrix.addressing().groundCoupling(i),
+            f.value,
+            f.dFirst,
+            f.dSecond
+        );
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::subsurfaceFlow::beginStep()
@@ -367,9 +419,12 @@ void Foam::subsurfaceFlow::renewCorrection()
         forAll(patch, i)
         {
             const label facei = patch.start() + i;
-            boundaryKr[facei - mesh_.nInternalFaces()] =
+            const label b = facei - mesh_.nInternalFaces();
+
+            correctedK_[b] = boundaryState(facei).K;
+            boundaryKr[b] =
                 known
-              ? boundaryState(facei).K/tables_[connections_[facei].soil2].Ks()
+              ? correctedK_[b]/tables_[connections_[facei].soil2].Ks()
               : kr[mesh_.faceOwner()[facei]];
         }
     }
@@ -406,31 +461,7 @@ void Foam::subsurfaceFlow::assemble
         }
     }
 
-    forAll(ground.faces(), i)
-    {
-        const label facei = ground.faces()[i];
-        const richardsFlux::flux f
-        (
-            flux
-            (
-                connections_[facei],
-                cellStates_[mesh_.faceOwner()[facei]],
-                boundaryState(facei)
-            )
-        );
-
-        pointFlux_[facei] = f.value;
-        faceFlux_[facei] = f.value + correction_.correction()[facei];
-        fluxScale_ += f.scale;
-
-        matrix.addFlux
-        (
-            matrix.addressing().groundCoupling(i),
-            faceFlux_[facei],
-            f.dFirst,
-            f.dSecond
-        );
-    }
+    assembleGround(matrix, ground, flux);
 }
 
 // ************************************************************************* //

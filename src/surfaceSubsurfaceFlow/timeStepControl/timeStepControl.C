@@ -130,6 +130,8 @@ void Foam::timeStepControl::keep()
     restartState::set(history, "previous", previous_);
     restartState::set(history, "beforePrevious", beforePrevious_);
     history.set("nSmooth", nSmooth_);
+    history.set("nHeld", nHeld_);
+    restartState::set(history, "leastIterations", leastIterations_);
 
     state_.set("timeStep", history);
 }
@@ -158,6 +160,8 @@ Foam::timeStepControl::timeStepControl
     previous_(firstStep_),
     beforePrevious_(firstStep_),
     nSmooth_(0),
+    nHeld_(0),
+    leastIterations_(GREAT),
     nextEvent_(VGREAT),
     euler_(),
     step_(),
@@ -252,6 +256,8 @@ Foam::timeStepControl::timeStepControl
     history.readIfPresent("previous", previous_);
     history.readIfPresent("beforePrevious", beforePrevious_);
     history.readIfPresent("nSmooth", nSmooth_);
+    history.readIfPresent("nHeld", nHeld_);
+    history.readIfPresent("leastIterations", leastIterations_);
 
     keep();
 }
@@ -388,6 +394,35 @@ void Foam::timeStepControl::checkProgress(const coupledFlow& water)
 }
 
 
+Foam::scalar Foam::timeStepControl::iterationFactor(const scalar nIterations)
+{
+    // After so many steps that did not grow, one does: what has nothing to do
+    // with the length of a step must not hold it for ever
+    const label patience = 20;
+
+    // A shorter step is worth it as long as it takes this share of iterations
+    const scalar worth = 0.8;
+
+    if (nIterations <= fewIterations_)
+    {
+        nHeld_ = 0;
+        leastIterations_ = GREAT;
+        return growth_;
+    }
+
+    const bool shorter =
+        nIterations > 2*fewIterations_
+     && nIterations < worth*leastIterations_;
+
+    leastIterations_ = min(leastIterations_, nIterations);
+
+    return
+        shorter ? 0.7
+      : ++nHeld_ % patience == 0 ? growth_
+      : 1.0;
+}
+
+
 Foam::scalar Foam::timeStepControl::errorFactor() const
 {
     return 0.9*pow(errorRatio_, -1.0/(errorOrder_ + 1));
@@ -401,15 +436,10 @@ void Foam::timeStepControl::advance(const coupledFlow& water)
     runTime_.setDeltaT(step_.length(), false);
     ++runTime_;
 
-    scalar factor = growth_;
+    scalar factor = iterationFactor(water.latest().iterations);
     if (errorRatio_ > 0)
     {
         factor = min(factor, max(errorFactor(), cut_));
-    }
-    if (water.latest().iterations > fewIterations_)
-    {
-        const bool many = water.latest().iterations > 2*fewIterations_;
-        factor = min(factor, many ? 0.7 : 1.0);
     }
 
     // A step that was only fitted to an event does not bind the next one
