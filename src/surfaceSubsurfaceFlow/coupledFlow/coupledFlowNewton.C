@@ -228,6 +228,7 @@ void Foam::coupledFlow::update
     const scalarField& step,
     const bool renew,
     const bool search,
+    const bool remaining,
     scalar& leastImbalance
 )
 {
@@ -235,14 +236,6 @@ void Foam::coupledFlow::update
 
     const scalarField from(unknowns_);
     const scalar norm = matrix_->norm();
-
-    // A part of what remains of the step is less, however far it was to go
-    scalarField whole(unknowns_.size());
-    forAll(whole, i)
-    {
-        whole[i] = chopped(i, from[i], step[i]);
-    }
-
     scalar fraction = 1;
 
     // By which residuals may grow whose sum is less than ever
@@ -250,10 +243,12 @@ void Foam::coupledFlow::update
 
     for (label halving = 0; halving <= maxHalvings; ++halving)
     {
-        unknowns_ = whole;
-        if (halving > 0)
+        forAll(unknowns_, i)
         {
-            unknowns_ = from + fraction*(whole - from);
+            unknowns_[i] =
+                remaining && i >= start_
+              ? from[i] + fraction*(chopped(i, from[i], step[i]) - from[i])
+              : chopped(i, from[i], fraction*step[i]);
         }
 
         setStates();
@@ -292,6 +287,11 @@ bool Foam::coupledFlow::iterate(const part solved)
     const scalar toleratedAtLast = 100;
     const label nRest = 2;
 
+    // Iterations without a smaller imbalance, in which states of the ground may
+    // follow one another in a circle: half a step far beyond a bend ends at the
+    // same bend again
+    const label nDirect = 20;
+
     // Share of the imbalance whose loss is worth more iterations: where a front
     // passes many cells in a step they fill one after the other
     const scalar worth = 0.5;
@@ -311,6 +311,9 @@ bool Foam::coupledFlow::iterate(const part solved)
     label nAllowed = maxIterations_;
     scalar allowedFrom = imbalance();
     scalar leastImbalance = allowedFrom;
+
+    // The iteration that had it
+    label nRecord = 0;
 
     // The latest iteration started from a small residual, and from where
     bool polished = false;
@@ -401,7 +404,11 @@ bool Foam::coupledFlow::iterate(const part solved)
 
         if (returnReduce(singular(change), orOp<bool>()))
         {
-            if (!triedWet && part_ != part::runoff)
+            const bool wanders =
+                n > nRecord + nDirect
+             || returnReduce(!allFinite(change), orOp<bool>());
+
+            if (wanders && !triedWet && part_ != part::runoff)
             {
                 triedWet = true;
                 wetGround();
@@ -424,13 +431,19 @@ bool Foam::coupledFlow::iterate(const part solved)
             rest.unknowns = unknowns_;
             rest.imbalance = imbalance;
         }
+        const scalar least = leastImbalance;
         update
         (
             change,
             !small && n + 1 < nCorrectors_,
             !small,
+            n > nRecord + nDirect,
             leastImbalance
         );
+        if (leastImbalance < least)
+        {
+            nRecord = n;
+        }
 
         previousNorm = norm;
         norm = matrix_->norm();

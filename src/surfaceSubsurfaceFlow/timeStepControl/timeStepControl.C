@@ -131,7 +131,8 @@ void Foam::timeStepControl::keep()
     restartState::set(history, "beforePrevious", beforePrevious_);
     history.set("nSmooth", nSmooth_);
     history.set("nHeld", nHeld_);
-    restartState::set(history, "leastIterations", leastIterations_);
+    history.set("nFutile", nFutile_);
+    restartState::set(history, "cutFrom", cutFrom_);
 
     state_.set("timeStep", history);
 }
@@ -161,7 +162,8 @@ Foam::timeStepControl::timeStepControl
     beforePrevious_(firstStep_),
     nSmooth_(0),
     nHeld_(0),
-    leastIterations_(GREAT),
+    nFutile_(0),
+    cutFrom_(GREAT),
     nextEvent_(VGREAT),
     euler_(),
     step_(),
@@ -257,7 +259,8 @@ Foam::timeStepControl::timeStepControl
     history.readIfPresent("beforePrevious", beforePrevious_);
     history.readIfPresent("nSmooth", nSmooth_);
     history.readIfPresent("nHeld", nHeld_);
-    history.readIfPresent("leastIterations", leastIterations_);
+    history.readIfPresent("nFutile", nFutile_);
+    history.readIfPresent("cutFrom", cutFrom_);
 
     keep();
 }
@@ -398,27 +401,34 @@ Foam::scalar Foam::timeStepControl::iterationFactor(const scalar nIterations)
 {
     // After so many steps that did not grow, one does: what has nothing to do
     // with the length of a step must not hold it for ever
-    const label patience = 20;
+    const label patience = 50;
 
-    // A shorter step is worth it as long as it takes this share of iterations
-    const scalar worth = 0.8;
+    // A cut is futile if more than this share of the iterations is left, and
+    // after so many futile ones there are no more until the next sudden change
+    const scalar worth = 0.9;
+    const label maxFutile = 3;
 
     if (nIterations <= fewIterations_)
     {
         nHeld_ = 0;
-        leastIterations_ = GREAT;
+        cutFrom_ = GREAT;
         return growth_;
     }
 
-    const bool shorter =
-        nIterations > 2*fewIterations_
-     && nIterations < worth*leastIterations_;
+    ++nHeld_;
+    if (nIterations > worth*cutFrom_)
+    {
+        ++nFutile_;
+    }
 
-    leastIterations_ = min(leastIterations_, nIterations);
+    const bool shorter =
+        nIterations > 2*fewIterations_ && nFutile_ < maxFutile;
+
+    cutFrom_ = shorter ? nIterations : GREAT;
 
     return
         shorter ? 0.7
-      : ++nHeld_ % patience == 0 ? growth_
+      : nHeld_ % patience == 0 ? growth_
       : 1.0;
 }
 
@@ -454,6 +464,7 @@ void Foam::timeStepControl::advance(const coupledFlow& water)
     if (water.nextRainChange(t + minStep_) <= runTime_.value() + minStep_)
     {
         nSmooth_ = 0;
+        nFutile_ = 0;
         proposal_ = min(proposal_, firstStep_);
     }
 
