@@ -404,11 +404,13 @@ bool Foam::coupledFlow::iterate(const part solved)
 
         if (returnReduce(singular(change), orOp<bool>()))
         {
-            const bool wanders =
-                n > nRecord + nDirect
-             || returnReduce(!allFinite(change), orOp<bool>());
+            const bool finite = returnReduce(allFinite(change), andOp<bool>());
 
-            if (wanders && !triedWet && part_ != part::runoff)
+            if
+            (
+                (!finite || n > nRecord + nDirect)
+             && !triedWet && part_ != part::runoff
+            )
             {
                 triedWet = true;
                 wetGround();
@@ -416,7 +418,7 @@ bool Foam::coupledFlow::iterate(const part solved)
                 norm = matrix_->norm();
                 continue;
             }
-            if (returnReduce(!allFinite(change), orOp<bool>()))
+            if (!finite)
             {
                 p.singular = true;
                 return false;
