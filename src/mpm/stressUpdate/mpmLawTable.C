@@ -108,7 +108,7 @@ mpm::LawTable::LawTable
          || softening.length >= Softening::leastCells*cellSize,
             "material " + material.name + ": softening length",
             softening.length,
-            ">= 3.2 cellSize for a nonlocal regularisation [m]"
+            ">= 1.5 cellSize for a nonlocal regularisation [m]"
         );
     }
 }

@@ -64,7 +64,9 @@ mpm::Material nonlocalSand(const double cellSize)
     material.name = "softening sand";
     material.softening.residualFrictionAngle = 20;
     material.softening.residualStrain = 0.01;
-    material.softening.length = 4*cellSize;
+
+    // The mean is of every second step
+    material.softening.length = 6*cellSize;
     material.softening.regularisation = "nonlocal";
     return material;
 }
