@@ -109,7 +109,7 @@ Foam::coupledFlow::limits Foam::coupledFlow::residualLimits() const
 
     limits result;
     result.balance =
-        tolerance_*min(margin*(crossedBefore_ + crossed), moved)
+        tolerance_*min(margin*(totals_->crossed() + crossed), moved)
       + 2*epsilon*total;
     result.noise = min(roundOff*(total + passing), largestNoise*total);
     result.norm = single*tolerance_*moved + result.noise;
@@ -302,7 +302,7 @@ bool Foam::coupledFlow::iterate(const part solved)
     renewLagged(false);
     assemble();
 
-    performance& p = performance_;
+    stepPerformance& p = performance_;
     scalarField change(unknowns_.size(), Zero);
     scalar norm = matrix_->norm();
     scalar previousNorm = GREAT;

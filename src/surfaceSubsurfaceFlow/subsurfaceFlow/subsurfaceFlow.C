@@ -327,6 +327,20 @@ Foam::scalar Foam::subsurfaceFlow::changedStorage() const
 }
 
 
+Foam::scalar Foam::subsurfaceFlow::gainedStorage() const
+{
+    const scalarField& V = mesh_.V();
+    scalar result = 0;
+
+    forAll(cellStates_, celli)
+    {
+        result += V[celli]*(cellStates_[celli].storage - storageOld_[celli]);
+    }
+
+    return result;
+}
+
+
 void Foam::subsurfaceFlow::addMoved
 (
     const stepVolumes& volumes,

@@ -285,7 +285,7 @@ void Foam::timeStepControl::begin(const coupledFlow& water)
     const scalar length =
         fitted(min(adaptive_ ? proposal_ : firstStep_, maxStep_));
 
-    step_ = coupledFlow::trial();
+    step_ = stepTrial();
     step_.start = t;
     step_.lengths = {length, previous_, beforePrevious_};
     step_.carries = nSmooth_ > 0 && water.scheme().order() > 1;
