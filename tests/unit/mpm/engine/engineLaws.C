@@ -54,6 +54,7 @@ mpm::Material softCone()
     material.softening.residualFrictionAngle = 20;
     material.softening.residualStrain = 0.01;
     material.softening.length = 0.1;
+    material.softening.regularisation = "crackBand";
     return material;
 }
 
@@ -67,7 +68,6 @@ mpm::Material nonlocalSand(const double cellSize)
 
     // The mean is of every second step
     material.softening.length = 6*cellSize;
-    material.softening.regularisation = "nonlocal";
     return material;
 }
 

@@ -51,7 +51,6 @@ mpm::Material nonlocalSoil()
     material.softening.residualFrictionAngle = 20;
     material.softening.residualStrain = 10;
     material.softening.length = 1;
-    material.softening.regularisation = "nonlocal";
     return material;
 }
 
