@@ -89,18 +89,12 @@ int main(int argc, char *argv[])
 
     // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
+    coupledFlow water(mesh);
     restartState state(runTime);
 
-    const bool steady = steadyState::wanted(args);
-    if (steady)
+    if (steadyState::wanted(args))
     {
         state.clear();
-    }
-
-    coupledFlow water(mesh, state);
-
-    if (steady)
-    {
         steadyState(runTime, water, args).find();
 
         Info<< "End\n" << endl;
@@ -108,7 +102,7 @@ int main(int argc, char *argv[])
     }
 
     timeStepControl timeStep(runTime, water.controls(), state);
-    waterBalance balance(water);
+    waterBalance balance(water, state);
     hydrographs discharge(water, state);
     solverStatistics statistics(water, timeStep);
 

@@ -128,13 +128,6 @@ Foam::slidePoints::slidePoints
     ),
     perEdge_(readPerEdge(dict, frame.dimension()))
 {
-    forAll(soils_, soili)
-    {
-        if (soils_.set(soili))
-        {
-            soils_[soili].checkCellSize(cellSize_);
-        }
-    }
 }
 
 

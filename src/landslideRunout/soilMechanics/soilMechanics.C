@@ -135,7 +135,6 @@ Foam::soilMechanics::soilMechanics
     cohesion_(0),
     frictionAngle_(0),
     material_(),
-    softening_(),
     thetaS_(-1),
     thetaR_(-1)
 {
@@ -199,7 +198,6 @@ Foam::soilMechanics::soilMechanics
     if (const dictionary* softeningPtr = dict.findDict("softening"))
     {
         readSoftening(*softeningPtr);
-        softening_ = *softeningPtr;
     }
 
     mpmChecked
@@ -264,17 +262,6 @@ Foam::soilMechanics::soilMechanics
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::soilMechanics::checkCellSize(const scalar cellSize) const
-{
-    mpmChecked
-    (
-        softening_,
-        "reading the soil " + name_,
-        [this, cellSize](){ material_.validate(cellSize); }
-    );
-}
-
 
 Foam::scalar Foam::soilMechanics::tanPhi() const
 {

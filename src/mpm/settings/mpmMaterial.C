@@ -22,7 +22,6 @@ License
 
 #include "mpmMaterial.H"
 #include "mpmNames.H"
-#include "softening.H"
 
 #include <algorithm>
 
@@ -50,7 +49,7 @@ const std::vector<std::string>& mpm::Material::druckerPragerFits()
 
 const std::vector<std::string>& mpm::SofteningSettings::regularisations()
 {
-    static const std::vector<std::string> names{"nonlocal", "crackBand"};
+    static const std::vector<std::string> names{"crackBand", "nonlocal"};
     return names;
 }
 
@@ -128,20 +127,6 @@ void mpm::Material::validate() const
             "> peakStrain"
         );
     }
-}
-
-
-void mpm::Material::validate(const double cellSize) const
-{
-    validate();
-    require
-    (
-        !softening.nonlocal()
-     || softening.length >= Softening::leastCells*cellSize,
-        "material " + name + ": softening length",
-        softening.length,
-        ">= 1.5 cellSize for a nonlocal regularisation [m]"
-    );
 }
 
 

@@ -168,7 +168,7 @@ Foam::tmp<Foam::scalarField> Foam::coupledFlow::initialHeads() const
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::coupledFlow::coupledFlow(fvMesh& mesh, dictionary& state)
+Foam::coupledFlow::coupledFlow(fvMesh& mesh)
 :
     mesh_(mesh),
     controls_(mesh.solutionDict().subOrEmptyDict("overlandRichards")),
@@ -227,7 +227,7 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh, dictionary& state)
     leftOver_(),
     remainder_(),
     keptRemainder_(),
-    totals_(),
+    crossedBefore_(0),
     part_(part::all),
     hasRunoff_(false),
     hasGround_(false),
@@ -361,11 +361,6 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh, dictionary& state)
         );
     }
 
-    totals_.reset
-    (
-        new waterTotals(subsurfaceStorage() + surfaceStorage(), state)
-    );
-
     times_.assignAll(workTimes::setUp);
 }
 
@@ -410,15 +405,6 @@ Foam::scalar Foam::coupledFlow::changedStorage() const
 }
 
 
-Foam::scalar Foam::coupledFlow::gainedStorage() const
-{
-    const scalar gain =
-        water_->gainedStorage() + (soil_ ? soil_->gainedStorage() : 0);
-
-    return returnReduce(gain, sumOp<scalar>());
-}
-
-
 Foam::tmp<Foam::scalarField> Foam::coupledFlow::infiltration() const
 {
     auto tresult = tmp<scalarField>::New(ground_.size(), Zero);
@@ -436,12 +422,11 @@ Foam::tmp<Foam::scalarField> Foam::coupledFlow::infiltration() const
 }
 
 
-Foam::waterVolumes Foam::coupledFlow::moved() const
+Foam::coupledFlow::volumes Foam::coupledFlow::moved() const
 {
-    waterVolumes result;
+    volumes result;
 
     result.rain = water_->rain();
-    result.gain = gainedStorage();
 
     if (sources_)
     {

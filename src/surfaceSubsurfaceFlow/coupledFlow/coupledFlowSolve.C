@@ -24,10 +24,10 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::coupledFlow::beginStep(const stepTrial& step)
+void Foam::coupledFlow::beginStep(const trial& step)
 {
     step_ = step;
-    performance_ = stepPerformance();
+    performance_ = performance();
     part_ = part::all;
 
     const scalar end = step.conditionsEnd();
@@ -178,7 +178,7 @@ void Foam::coupledFlow::assemble()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::coupledFlow::solve(const stepTrial& step)
+bool Foam::coupledFlow::solve(const trial& step)
 {
     beginStep(step);
 
@@ -274,7 +274,6 @@ void Foam::coupledFlow::accept()
         overland_->endStep();
     }
     setFields();
-    totals_->add(moved());
 
     if (history_)
     {
@@ -289,7 +288,6 @@ void Foam::coupledFlow::forgetSteps()
     volumes_->end();
     leftOver_ = Zero;
     keptRemainder_->keep(leftOver_);
-    totals_->forget(subsurfaceStorage() + surfaceStorage());
 
     if (history_)
     {

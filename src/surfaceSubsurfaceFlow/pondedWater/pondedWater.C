@@ -201,12 +201,6 @@ Foam::scalar Foam::pondedWater::changedStorage() const
 }
 
 
-Foam::scalar Foam::pondedWater::gainedStorage() const
-{
-    return sumProd(ground_.planArea(), (depth_ - depthOld_)());
-}
-
-
 void Foam::pondedWater::addMoved
 (
     scalar& crossed,

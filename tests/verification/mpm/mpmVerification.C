@@ -57,7 +57,6 @@ int main(int argc, char* argv[])
         {"selfWeightColumn", selfWeightColumn},
         {"infiniteSlope", infiniteSlope},
         {"columnCollapse", columnCollapse},
-        {"softeningRunout", softeningRunout},
         {"validationSlope", validationSlope},
         {"griffithsLane", griffithsLane},
         {"waterTableInside", waterTableInside},

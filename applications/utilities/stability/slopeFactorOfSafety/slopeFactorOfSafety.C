@@ -108,7 +108,7 @@ int main(int argc, char *argv[])
         );
     }
 
-    slopeSafety safety
+    const slopeSafety safety
     (
         args.getOrDefault<word>("name", "slopeStability"),
         mesh,

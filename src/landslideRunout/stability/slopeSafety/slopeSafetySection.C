@@ -290,46 +290,12 @@ Foam::boolList Foam::slopeSafety::mobile
 }
 
 
-const Foam::fieldToPointMapping& Foam::slopeSafety::mapping
-(
-    const pointField& places,
-    const labelList& cellSoil
-)
-{
-    const bool changed =
-        !mapping_
-     || mesh_.changing()
-     || places != places_
-     || cellSoil != cellSoil_;
-
-    if (returnReduce(changed, orOp<bool>()))
-    {
-        places_ = places;
-        cellSoil_ = cellSoil;
-
-        // Ends and rounding put nodes a little outside of the mesh
-        mapping_.reset
-        (
-            new fieldToPointMapping
-            (
-                mesh_,
-                places_,
-                outsidePolicy(outsidePolicy::NEAREST),
-                cellSoil_
-            )
-        );
-    }
-
-    return *mapping_;
-}
-
-
 std::vector<slopeStability::soilState> Foam::slopeSafety::sample
 (
     const soilZones& zones,
     const UList<vector2D>& nodes,
     labelList& soil
-)
+) const
 {
     pointField places(nodes.size());
     forAll(places, i)
@@ -340,22 +306,29 @@ std::vector<slopeStability::soilState> Foam::slopeSafety::sample
     const PtrList<soilMechanics> soilProperties(soils(zones));
     const boolList mayMove(mobile(zones, soilProperties));
 
-    const fieldToPointMapping& toPlaces = mapping(places, zones.cellSoil());
+    // Ends and rounding put nodes a little outside of the mesh
+    const fieldToPointMapping mapping
+    (
+        mesh_,
+        places,
+        outsidePolicy(outsidePolicy::NEAREST),
+        zones.cellSoil()
+    );
     const scalarField psi
     (
-        toPlaces.map<scalar>
+        mapping.map<scalar>
         (
             cellValues(mesh_, dict_.getOrDefault<word>("psi", "psi"))
         )
     );
     const scalarField theta
     (
-        toPlaces.map<scalar>
+        mapping.map<scalar>
         (
             cellValues(mesh_, dict_.getOrDefault<word>("theta", "theta"))
         )
     );
-    soil = toPlaces.mapCellLabels(zones.cellSoil(), -1);
+    soil = mapping.mapCellLabels(zones.cellSoil(), -1);
 
     const scalar rhoWater = readRhoWater(zones.soilDict(0).topDict());
     const scalar gammaWater = rhoWater*mag(g_);
@@ -389,7 +362,7 @@ std::vector<slopeStability::soilState> Foam::slopeSafety::sample
 
 
 std::shared_ptr<slopeStability::slopeSection>
-Foam::slopeSafety::makeSection()
+Foam::slopeSafety::makeSection() const
 {
     using namespace slopeStability;
 

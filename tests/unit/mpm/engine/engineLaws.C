@@ -54,7 +54,6 @@ mpm::Material softCone()
     material.softening.residualFrictionAngle = 20;
     material.softening.residualStrain = 0.01;
     material.softening.length = 0.1;
-    material.softening.regularisation = "crackBand";
     return material;
 }
 
@@ -65,9 +64,8 @@ mpm::Material nonlocalSand(const double cellSize)
     material.name = "softening sand";
     material.softening.residualFrictionAngle = 20;
     material.softening.residualStrain = 0.01;
-
-    // The mean is of every second step
-    material.softening.length = 6*cellSize;
+    material.softening.length = 4*cellSize;
+    material.softening.regularisation = "nonlocal";
     return material;
 }
 
