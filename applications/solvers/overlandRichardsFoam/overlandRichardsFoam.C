@@ -89,12 +89,18 @@ int main(int argc, char *argv[])
 
     // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
-    coupledFlow water(mesh);
     restartState state(runTime);
 
-    if (steadyState::wanted(args))
+    const bool steady = steadyState::wanted(args);
+    if (steady)
     {
         state.clear();
+    }
+
+    coupledFlow water(mesh, state);
+
+    if (steady)
+    {
         steadyState(runTime, water, args).find();
 
         Info<< "End\n" << endl;
@@ -102,7 +108,7 @@ int main(int argc, char *argv[])
     }
 
     timeStepControl timeStep(runTime, water.controls(), state);
-    waterBalance balance(water, state);
+    waterBalance balance(water);
     hydrographs discharge(water, state);
     solverStatistics statistics(water, timeStep);
 

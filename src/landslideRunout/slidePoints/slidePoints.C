@@ -128,6 +128,13 @@ Foam::slidePoints::slidePoints
     ),
     perEdge_(readPerEdge(dict, frame.dimension()))
 {
+    forAll(soils_, soili)
+    {
+        if (soils_.set(soili))
+        {
+            soils_[soili].checkCellSize(cellSize_);
+        }
+    }
 }
 
 

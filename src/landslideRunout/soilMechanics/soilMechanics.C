@@ -135,6 +135,7 @@ Foam::soilMechanics::soilMechanics
     cohesion_(0),
     frictionAngle_(0),
     material_(),
+    softening_(),
     thetaS_(-1),
     thetaR_(-1)
 {
@@ -198,6 +199,7 @@ Foam::soilMechanics::soilMechanics
     if (const dictionary* softeningPtr = dict.findDict("softening"))
     {
         readSoftening(*softeningPtr);
+        softening_ = *softeningPtr;
     }
 
     mpmChecked
@@ -262,6 +264,17 @@ Foam::soilMechanics::soilMechanics
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::soilMechanics::checkCellSize(const scalar cellSize) const
+{
+    mpmChecked
+    (
+        softening_,
+        "reading the soil " + name_,
+        [this, cellSize](){ material_.validate(cellSize); }
+    );
+}
+
 
 Foam::scalar Foam::soilMechanics::tanPhi() const
 {

@@ -93,6 +93,7 @@ std::int32_t mpm::BlockGrid<Dim>::add
         {
             Block& old = former->blocks[same->second];
             blocks_[mine].walls.swap(old.walls);
+            blocks_[mine].clear.swap(old.clear);
             blocks_[mine].wallNodes.swap(old.wallNodes);
             blocks_[mine].mirrors.swap(old.mirrors);
             blocks_[mine].mirrored.swap(old.mirrored);
@@ -178,6 +179,45 @@ void mpm::BlockGrid<Dim>::findWalls(Block& block) const
                 at[d] = rest % patchEdge();
             }
             findMirror(block, std::int32_t(w), at);
+        }
+    }
+    findClear(block);
+}
+
+
+template<int Dim>
+void mpm::BlockGrid<Dim>::findClear(Block& block) const
+{
+    bool planes = true;
+    for (const std::int32_t w : block.walls)
+    {
+        planes = planes && (*walls_)[w].isPlane();
+    }
+    if (planes)
+    {
+        return;
+    }
+
+    // Half the diagonal of a cell, and sqrt(Dim) because a distance that is
+    // interpolated changes by as much faster than the place
+    const double reach = 0.5*Dim*cellSize_ + onWall();
+    const Vector<Dim> first = position(block, {});
+
+    block.clear.assign(power(edge + 1), 1);
+    for (std::size_t i = 0; i < block.clear.size(); ++i)
+    {
+        Vector<Dim> centre(first);
+        for (std::size_t d = 0, rest = i; d < Dim; ++d, rest /= edge + 1)
+        {
+            centre[d] += cellSize_*(rest % (edge + 1) + 0.5);
+        }
+        for (const std::int32_t w : block.walls)
+        {
+            Vector<Dim> normal;
+            if (!((*walls_)[w].distance(centre, normal) > reach))
+            {
+                block.clear[i] = 0;
+            }
         }
     }
 }

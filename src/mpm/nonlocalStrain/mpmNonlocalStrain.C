@@ -25,21 +25,6 @@ License
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<int Dim, int Reach>
-double mpm::NonlocalStrainOnPatch<Dim, Reach>::increment
-(
-    const LawTable::Law& law,
-    const PointCloud<Dim>& cloud,
-    const std::int32_t p
-)
-{
-    return
-        law.softening.lost(cloud.softeningStrain[p]) < 1
-      ? cloud.plasticStrain[p] - cloud.countedStrain[p]
-      : 0;
-}
-
-
-template<int Dim, int Reach>
 void mpm::NonlocalStrainOnPatch<Dim, Reach>::scatter
 (
     State<Dim>& state,
@@ -70,7 +55,11 @@ void mpm::NonlocalStrainOnPatch<Dim, Reach>::scatter
                     continue;
                 }
                 const double v = cloud.volume[p];
-                const Node sent{v*increment(law, cloud, p), 0, 0, v};
+                const double yielded =
+                    law.softening.lost(cloud.softeningStrain[p]) < 1
+                  ? cloud.plasticStrain[p] - cloud.countedStrain[p]
+                  : 0;
+                const Node sent{v*yielded, 0, 0, v};
                 forLinearNodes<Dim, Reach>
                 (
                     grid,
@@ -234,8 +223,7 @@ void mpm::NonlocalStrainOnPatch<Dim, Reach>::gather
                         sum += Node{w, w, w, w}*patch[node];
                     }
                 );
-                cloud.softeningStrain[p] +=
-                    2*sum[strain]/sum[volume] - increment(law, cloud, p);
+                cloud.softeningStrain[p] += sum[strain]/sum[volume];
                 cloud.countedStrain[p] = cloud.plasticStrain[p];
             }
         }
@@ -268,7 +256,11 @@ std::unique_ptr<mpm::NonlocalStrain<Dim>> mpm::NonlocalStrain<Dim>::New
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 template<int Dim, int Reach>
-void mpm::NonlocalStrainOnPatch<Dim, Reach>::update(State<Dim>& state)
+void mpm::NonlocalStrainOnPatch<Dim, Reach>::update
+(
+    State<Dim>& state,
+    const long step
+)
 {
     const std::vector<Material>& materials = state.laws.materials();
     for (std::size_t zone = 0; zone < materials.size(); ++zone)
@@ -278,12 +270,16 @@ void mpm::NonlocalStrainOnPatch<Dim, Reach>::update(State<Dim>& state)
         {
             continue;
         }
-        scatter(state, int(zone));
-
-        // The weights to the nodes and from them have h^2/3
         const double deviation =
             softening.length/Softening::lengthOverDeviation
            /state.grid.cellSize();
+        if (step % std::max(1L, long(deviation)) != 0)
+        {
+            continue;
+        }
+        scatter(state, int(zone));
+
+        // The weights to the nodes and from them have h^2/3
         const double missing = deviation*deviation - 1.0/3;
         const int nPasses = int(std::ceil(2*missing));
         for (int i = 0; i < nPasses; ++i)

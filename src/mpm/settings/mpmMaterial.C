@@ -22,6 +22,7 @@ License
 
 #include "mpmMaterial.H"
 #include "mpmNames.H"
+#include "softening.H"
 
 #include <algorithm>
 
@@ -49,7 +50,7 @@ const std::vector<std::string>& mpm::Material::druckerPragerFits()
 
 const std::vector<std::string>& mpm::SofteningSettings::regularisations()
 {
-    static const std::vector<std::string> names{"crackBand", "nonlocal"};
+    static const std::vector<std::string> names{"nonlocal", "crackBand"};
     return names;
 }
 
@@ -127,6 +128,20 @@ void mpm::Material::validate() const
             "> peakStrain"
         );
     }
+}
+
+
+void mpm::Material::validate(const double cellSize) const
+{
+    validate();
+    require
+    (
+        !softening.nonlocal()
+     || softening.length >= Softening::leastCells*cellSize,
+        "material " + name + ": softening length",
+        softening.length,
+        ">= 1.5 cellSize for a nonlocal regularisation [m]"
+    );
 }
 
 

@@ -455,7 +455,7 @@ double mpm::Simulation<Dim>::step(const double deltaTLimit)
     clock_.deltaT = std::min(stableDeltaT(), deltaTLimit);
     if (nonlocalStrain_)
     {
-        nonlocalStrain_->update(state_);
+        nonlocalStrain_->update(state_, clock_.step);
     }
     if (account_)
     {

@@ -100,16 +100,7 @@ mpm::LawTable::LawTable
 {
     for (const Material& material : materials_)
     {
-        material.validate();
-        const SofteningSettings& softening = material.softening;
-        require
-        (
-            !softening.nonlocal()
-         || softening.length >= Softening::leastCells*cellSize,
-            "material " + material.name + ": softening length",
-            softening.length,
-            ">= 3.2 cellSize for a nonlocal regularisation [m]"
-        );
+        material.validate(cellSize);
     }
 }
 

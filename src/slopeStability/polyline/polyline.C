@@ -102,9 +102,18 @@ double slopeStability::polyline::y(const double x) const
         return points_.back().y();
     }
 
-    const std::size_t i = segment(x);
-    const point& a = points_[i];
-    const point& b = points_[i + 1];
+    return y(x, segment(x));
+}
+
+
+double slopeStability::polyline::y
+(
+    const double x,
+    const std::size_t segmenti
+) const
+{
+    const point& a = points_[segmenti];
+    const point& b = points_[segmenti + 1];
     const double w = (x - a.x())/(b.x() - a.x());
 
     return (1 - w)*a.y() + w*b.y();

@@ -168,7 +168,7 @@ Foam::tmp<Foam::scalarField> Foam::coupledFlow::initialHeads() const
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::coupledFlow::coupledFlow(fvMesh& mesh)
+Foam::coupledFlow::coupledFlow(fvMesh& mesh, dictionary& state)
 :
     mesh_(mesh),
     controls_(mesh.solutionDict().subOrEmptyDict("overlandRichards")),
@@ -227,7 +227,7 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh)
     leftOver_(),
     remainder_(),
     keptRemainder_(),
-    crossedBefore_(0),
+    totals_(),
     part_(part::all),
     hasRunoff_(false),
     hasGround_(false),
@@ -361,6 +361,11 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh)
         );
     }
 
+    totals_.reset
+    (
+        new waterTotals(subsurfaceStorage() + surfaceStorage(), state)
+    );
+
     times_.assignAll(workTimes::setUp);
 }
 
@@ -405,6 +410,15 @@ Foam::scalar Foam::coupledFlow::changedStorage() const
 }
 
 
+Foam::scalar Foam::coupledFlow::gainedStorage() const
+{
+    const scalar gain =
+        water_->gainedStorage() + (soil_ ? soil_->gainedStorage() : 0);
+
+    return returnReduce(gain, sumOp<scalar>());
+}
+
+
 Foam::tmp<Foam::scalarField> Foam::coupledFlow::infiltration() const
 {
     auto tresult = tmp<scalarField>::New(ground_.size(), Zero);
@@ -422,11 +436,12 @@ Foam::tmp<Foam::scalarField> Foam::coupledFlow::infiltration() const
 }
 
 
-Foam::coupledFlow::volumes Foam::coupledFlow::moved() const
+Foam::waterVolumes Foam::coupledFlow::moved() const
 {
-    volumes result;
+    waterVolumes result;
 
     result.rain = water_->rain();
+    result.gain = gainedStorage();
 
     if (sources_)
     {

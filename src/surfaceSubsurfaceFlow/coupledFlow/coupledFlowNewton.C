@@ -74,10 +74,6 @@ Foam::coupledFlow::limits Foam::coupledFlow::residualLimits() const
     // moves inside
     const scalar margin = 0.25;
 
-    // Share of the water there is that round-off of the fluxes through the
-    // boundary may take from the balance
-    const scalar largestLoss = 8e-15;
-
     // Water that came in or left, by which storages changed, that infiltrated,
     // that there is, and that passes faces
     scalarList volumes(5, Zero);
@@ -113,10 +109,9 @@ Foam::coupledFlow::limits Foam::coupledFlow::residualLimits() const
 
     limits result;
     result.balance =
-        tolerance_*min(margin*(crossedBefore_ + crossed), moved)
+        tolerance_*min(margin*(totals_->crossed() + crossed), moved)
       + 2*epsilon*total;
     result.noise = min(roundOff*(total + passing), largestNoise*total);
-    result.loss = min(result.noise, largestLoss*total);
     result.norm = single*tolerance_*moved + result.noise;
 
     return result;
@@ -286,8 +281,8 @@ bool Foam::coupledFlow::iterate(const part solved)
     const scalar many = 100;
 
     // Multiple of its limit that the imbalance may then have, and a larger one
-    // after some iterations at rest, if it is small against what the step moves
-    // or round-off. More of it is water that nobody sent
+    // after some iterations at rest, if it is small against what the step moves.
+    // More of it is water that nobody sent
     const scalar tolerated = 2;
     const scalar toleratedAtLast = 100;
     const label nRest = 2;
@@ -307,7 +302,7 @@ bool Foam::coupledFlow::iterate(const part solved)
     renewLagged(false);
     assemble();
 
-    performance& p = performance_;
+    stepPerformance& p = performance_;
     scalarField change(unknowns_.size(), Zero);
     scalar norm = matrix_->norm();
     scalar previousNorm = GREAT;
@@ -365,7 +360,7 @@ bool Foam::coupledFlow::iterate(const part solved)
         {
             restLimit = min
             (
-                restLimit + (limit.norm - limit.noise)/single + limit.loss,
+                restLimit + (limit.norm - limit.noise)/single,
                 toleratedAtLast*limit.balance
             );
         }

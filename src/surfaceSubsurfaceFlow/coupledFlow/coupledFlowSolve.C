@@ -24,10 +24,10 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::coupledFlow::beginStep(const trial& step)
+void Foam::coupledFlow::beginStep(const stepTrial& step)
 {
     step_ = step;
-    performance_ = performance();
+    performance_ = stepPerformance();
     part_ = part::all;
 
     const scalar end = step.conditionsEnd();
@@ -178,7 +178,7 @@ void Foam::coupledFlow::assemble()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::coupledFlow::solve(const trial& step)
+bool Foam::coupledFlow::solve(const stepTrial& step)
 {
     beginStep(step);
 
@@ -274,6 +274,7 @@ void Foam::coupledFlow::accept()
         overland_->endStep();
     }
     setFields();
+    totals_->add(moved());
 
     if (history_)
     {
@@ -288,6 +289,7 @@ void Foam::coupledFlow::forgetSteps()
     volumes_->end();
     leftOver_ = Zero;
     keptRemainder_->keep(leftOver_);
+    totals_->forget(subsurfaceStorage() + surfaceStorage());
 
     if (history_)
     {

@@ -84,11 +84,21 @@ void Foam::edgeSurroundings::setNeighbours()
     forAll(patchEdges_, patchi)
     {
         const labelUList& faces = aMesh_.boundary()[patchi].edgeFaces();
+        const bool coupled = aMesh_.boundary()[patchi].coupled();
 
-        forAll(patchEdges_[patchi], i)
+        forAll(faces, i)
         {
             const planGeometry::edgePlan& edge =
                 geometry_.patchEdges()[patchi][i];
+
+            if (!coupled)
+            {
+                mirrored_[faces[i]].append
+                (
+                    (2/edge.inverseDistance)*edge.normal
+                );
+                continue;
+            }
 
             neighbours_[faces[i]].append
             ({
@@ -241,24 +251,43 @@ Foam::scalar Foam::edgeSurroundings::ratio
 
     const scalar ahead = value(shape_, to) - here;
 
+    const vector2D slope(gradient1_[facei], gradient2_[facei]);
+    const scalar along = slope & to.delta;
+
     scalar behind = 0;
-    scalar weights = 0;
+    scalar distance = 0;
+
+    // The faces opposite to the edge and on the other side along the flow, with
+    // the weight of the flow towards them
+    const auto add = [&]
+    (
+        const vector2D& delta,
+        const scalar inverse,
+        const scalar change
+    )
+    {
+        const scalar cosine = -(delta & to.delta)*inverse*to.inverse;
+        const scalar back = -(slope & delta);
+
+        if (cosine > minCosine && back*along > 0)
+        {
+            const scalar weight = mag(back)*inverse;
+
+            behind += weight*change;
+            distance += weight*mag(back);
+        }
+    };
 
     for (const neighbour& n : neighbours_[facei])
     {
-        const scalar cosine = -(n.delta & to.delta)*n.inverse*to.inverse;
-
-        if (cosine > minCosine)
-        {
-            const scalar weight = sqr(cosine);
-
-            behind +=
-                weight*(here - value(shape_, n))*n.inverse/(cosine*to.inverse);
-            weights += weight;
-        }
+        add(n.delta, n.inverse, here - value(shape_, n));
+    }
+    for (const vector2D& delta : mirrored_[facei])
+    {
+        add(delta, 1/mag(delta), 0);
     }
 
-    behind /= max(weights, VSMALL);
+    behind *= mag(along)/max(distance, VSMALL);
 
     if (ahead*behind <= 0)
     {
@@ -375,6 +404,7 @@ Foam::edgeSurroundings::edgeSurroundings
     aMesh_(aMesh),
     geometry_(geometry),
     neighbours_(aMesh.nFaces()),
+    mirrored_(aMesh.nFaces()),
     inverse_(aMesh.nFaces(), FixedList<scalar, 3>(Zero)),
     shape_(faceField(aMesh, "shapeOfDepth", dimLength)),
     gradient1_(faceField(aMesh, "surfaceGradient1", dimless)),

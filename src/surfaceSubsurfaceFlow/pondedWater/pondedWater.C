@@ -201,6 +201,12 @@ Foam::scalar Foam::pondedWater::changedStorage() const
 }
 
 
+Foam::scalar Foam::pondedWater::gainedStorage() const
+{
+    return sumProd(ground_.planArea(), (depth_ - depthOld_)());
+}
+
+
 void Foam::pondedWater::addMoved
 (
     scalar& crossed,

@@ -57,7 +57,7 @@ Foam::solverStatistics::solverStatistics
 void Foam::solverStatistics::update()
 {
     const Time& runTime = water_.mesh().time();
-    const coupledFlow::performance& p = water_.latest();
+    const stepPerformance& p = water_.latest();
     const label nRejected = timeStep_.nRejected();
 
     ++nSteps_;

@@ -72,10 +72,9 @@ void Foam::steadyState::holdRain
 bool Foam::steadyState::isSteady()
 {
     // Water that rests is known by its change over the storage
-    const coupledFlow::volumes moved(water_.moved());
+    const waterVolumes moved(water_.moved());
 
-    const scalar inflow =
-        moved.rain + moved.sourceInflow + moved.subsurfaceInflow;
+    const scalar inflow = moved.inflow();
     const scalar changed = water_.changedStorage();
 
     change_ = changed/max(inflow, VSMALL);
@@ -92,13 +91,11 @@ bool Foam::steadyState::isSteady()
 
 void Foam::steadyState::report() const
 {
-    const coupledFlow::volumes moved(water_.moved());
+    const waterVolumes moved(water_.moved());
     const scalar dt = step_.length();
 
-    const scalar inflow =
-        moved.rain + moved.sourceInflow + moved.subsurfaceInflow;
-    const scalar outflow =
-        moved.surfaceOutflow + moved.sourceOutflow + moved.subsurfaceOutflow;
+    const scalar inflow = moved.inflow();
+    const scalar outflow = moved.outflow();
 
     Info<< "Flows [m3/s]: rain " << moved.rain/dt
         << ", infiltration " << moved.infiltration/dt

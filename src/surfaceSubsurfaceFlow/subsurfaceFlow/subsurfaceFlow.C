@@ -146,6 +146,7 @@ Foam::subsurfaceFlow::subsurfaceFlow
     ),
     connections_(mesh.nFaces()),
     correction_(mesh),
+    correctedK_(mesh.nFaces() - mesh.nInternalFaces(), Zero),
     otherSoil_(),
     cellStates_(mesh.nCells()),
     boundaryStates_(mesh.nFaces() - mesh.nInternalFaces()),
@@ -320,6 +321,20 @@ Foam::scalar Foam::subsurfaceFlow::changedStorage() const
     forAll(cellStates_, celli)
     {
         result += V[celli]*mag(cellStates_[celli].storage - storageOld_[celli]);
+    }
+
+    return result;
+}
+
+
+Foam::scalar Foam::subsurfaceFlow::gainedStorage() const
+{
+    const scalarField& V = mesh_.V();
+    scalar result = 0;
+
+    forAll(cellStates_, celli)
+    {
+        result += V[celli]*(cellStates_[celli].storage - storageOld_[celli]);
     }
 
     return result;

@@ -171,8 +171,6 @@ Foam::timeStepControl::timeStepControl
     nCuts_(0),
     nLost_(0),
     lostFrom_(runTime.value()),
-    nPaced_(0),
-    pacedFrom_(runTime.value()),
     errorRatio_(0),
     errorOrder_(1),
     rejections_(0)
@@ -183,7 +181,7 @@ Foam::timeStepControl::timeStepControl
         dict,
         {
             "localError", "fewIterations", "growth", "cut", "maxCuts",
-            "maxLost", "leastAdvance", "mostIterations", "rescue"
+            "maxLost", "leastAdvance", "rescue"
         }
     );
 
@@ -241,15 +239,6 @@ Foam::timeStepControl::timeStepControl
         "0 <= leastAdvance <= 1"
     );
 
-    mostIterations_ = readCheckedOrDefault
-    (
-        dict,
-        "mostIterations",
-        1e7,
-        [](const scalar x) { return x >= 0; },
-        ">= 0"
-    );
-
     rescue_ = dict.lookupOrDefault<bool>("rescue", true);
 
     const dictionary& times = runTime.controlDict();
@@ -296,7 +285,7 @@ void Foam::timeStepControl::begin(const coupledFlow& water)
     const scalar length =
         fitted(min(adaptive_ ? proposal_ : firstStep_, maxStep_));
 
-    step_ = coupledFlow::trial();
+    step_ = stepTrial();
     step_.start = t;
     step_.lengths = {length, previous_, beforePrevious_};
     step_.carries = nSmooth_ > 0 && water.scheme().order() > 1;
@@ -308,8 +297,6 @@ bool Foam::timeStepControl::rejects(coupledFlow& water)
 {
     // A step is repeated if its error is this much beyond the aim
     const scalar tolerated = 4;
-
-    nPaced_ += water.latest().iterations;
 
     if (water.latest().converged)
     {
@@ -327,7 +314,6 @@ bool Foam::timeStepControl::rejects(coupledFlow& water)
 
         if (errorRatio_ <= tolerated)
         {
-            checkPace(water);
             return false;
         }
 
@@ -408,50 +394,6 @@ void Foam::timeStepControl::checkProgress(const coupledFlow& water)
 
     nLost_ = 0;
     lostFrom_ = runTime_.value();
-}
-
-
-void Foam::timeStepControl::checkPace(const coupledFlow& water)
-{
-    // So many iterations make a pace
-    const label window = 20000;
-
-    const scalar end = step_.start + step_.length();
-
-    // Shortened by what does not belong to the water, or after a sudden change
-    if
-    (
-        nSmooth_ == 0
-     || end >= nextEvent_ - minStep_
-     || step_.length() >= 0.5*maxStep_
-    )
-    {
-        nPaced_ = 0;
-        pacedFrom_ = end;
-        return;
-    }
-
-    if (nPaced_ < window)
-    {
-        return;
-    }
-
-    const scalar rest = runTime_.endTime().value() - end;
-    const scalar needed = nPaced_*rest/(end - pacedFrom_);
-
-    if (mostIterations_ > 0 && needed > mostIterations_)
-    {
-        OStringStream why;
-        why << "No end in reach from t = " << end << " s: " << nPaced_
-            << " iterations brought " << end - pacedFrom_ << " s, and the "
-            << rest << " s that are left would take " << needed
-            << ", more than mostIterations = " << mostIterations_
-            << ". The state changes most in";
-        water.stopRun(string(why.str()));
-    }
-
-    nPaced_ = 0;
-    pacedFrom_ = end;
 }
 
 

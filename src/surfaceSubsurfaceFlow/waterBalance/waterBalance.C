@@ -21,50 +21,12 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "waterBalance.H"
-#include "restartState.H"
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::scalar Foam::waterBalance::inflow() const
-{
-    return sum_.rain + sum_.subsurfaceInflow + sum_.sourceInflow;
-}
-
-
-Foam::scalar Foam::waterBalance::outflow() const
-{
-    return sum_.surfaceOutflow + sum_.subsurfaceOutflow + sum_.sourceOutflow;
-}
-
-
-void Foam::waterBalance::keep()
-{
-    water_.setCrossed(inflow() + outflow());
-
-    dictionary balance;
-    restartState::set(balance, "initialStorage", initialStorage_);
-    restartState::set(balance, "rain", sum_.rain);
-    restartState::set(balance, "infiltration", sum_.infiltration);
-    restartState::set(balance, "sourceInflow", sum_.sourceInflow);
-    restartState::set(balance, "sourceOutflow", sum_.sourceOutflow);
-    restartState::set(balance, "surfaceOutflow", sum_.surfaceOutflow);
-    restartState::set(balance, "subsurfaceInflow", sum_.subsurfaceInflow);
-    restartState::set(balance, "subsurfaceOutflow", sum_.subsurfaceOutflow);
-
-    state_.set("waterBalance", balance);
-}
-
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::waterBalance::waterBalance
-(
-    coupledFlow& water,
-    dictionary& state
-)
+Foam::waterBalance::waterBalance(const coupledFlow& water)
 :
     water_(water),
-    state_(state),
     table_
     (
         water.mesh().time(),
@@ -82,23 +44,8 @@ Foam::waterBalance::waterBalance
             "error",
             "relativeError"
         }
-    ),
-    sum_(),
-    initialStorage_(water.subsurfaceStorage() + water.surfaceStorage())
-{
-    const dictionary kept(state.subOrEmptyDict("waterBalance"));
-
-    kept.readIfPresent("initialStorage", initialStorage_);
-    kept.readIfPresent("rain", sum_.rain);
-    kept.readIfPresent("infiltration", sum_.infiltration);
-    kept.readIfPresent("sourceInflow", sum_.sourceInflow);
-    kept.readIfPresent("sourceOutflow", sum_.sourceOutflow);
-    kept.readIfPresent("surfaceOutflow", sum_.surfaceOutflow);
-    kept.readIfPresent("subsurfaceInflow", sum_.subsurfaceInflow);
-    kept.readIfPresent("subsurfaceOutflow", sum_.subsurfaceOutflow);
-
-    keep();
-}
+    )
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -106,29 +53,23 @@ Foam::waterBalance::waterBalance
 void Foam::waterBalance::update()
 {
     // A change of storage below this share of the storage is no measure: the
-    // storage is known to 1e-16 of it at best, and such a change to 1e-11
+    // storage of a cell is known to 1e-16 of it, and such a change to 1e-11
     const scalar storageShare = 1e-5;
 
-    const coupledFlow::volumes step(water_.moved());
-
-    sum_.rain += step.rain;
-    sum_.infiltration += step.infiltration;
-    sum_.sourceInflow += step.sourceInflow;
-    sum_.sourceOutflow += step.sourceOutflow;
-    sum_.surfaceOutflow += step.surfaceOutflow;
-    sum_.subsurfaceInflow += step.subsurfaceInflow;
-    sum_.subsurfaceOutflow += step.subsurfaceOutflow;
+    const waterTotals& totals = water_.totals();
+    const waterVolumes& sum = totals.sum();
 
     const scalar surface = water_.surfaceStorage();
     const scalar subsurface = water_.subsurfaceStorage();
 
-    const scalar sourceSink = sum_.sourceInflow - sum_.sourceOutflow;
-    const scalar change = surface + subsurface - initialStorage_;
-    const scalar error = change - (inflow() - outflow());
+    const scalar sourceSink = sum.sourceInflow - sum.sourceOutflow;
+    const scalar subsurfaceOutflow =
+        sum.subsurfaceOutflow - sum.subsurfaceInflow;
+    const scalar error = sum.gain - (sum.inflow() - sum.outflow());
     const scalar scale = max
     (
-        max(inflow(), outflow()),
-        max(mag(change), storageShare*initialStorage_)
+        max(sum.inflow(), sum.outflow()),
+        max(mag(sum.gain), storageShare*totals.initialStorage())
     );
     const scalar relativeError = mag(error)/max(scale, VSMALL);
 
@@ -140,10 +81,10 @@ void Foam::waterBalance::update()
     ({
         runTime.value(),
         runTime.deltaTValue(),
-        {ground, sum_.rain},
-        {ground && soil, sum_.infiltration},
-        {water_.hasOverland(), sum_.surfaceOutflow},
-        {soil, sum_.subsurfaceOutflow - sum_.subsurfaceInflow},
+        {ground, sum.rain},
+        {ground && soil, sum.infiltration},
+        {water_.hasOverland(), sum.surfaceOutflow},
+        {soil, subsurfaceOutflow},
         {ground, surface},
         {soil, subsurface},
         {water_.hasSources(), sourceSink},
@@ -151,17 +92,15 @@ void Foam::waterBalance::update()
         relativeError
     });
 
-    Info<< "Water [m3]: rain " << sum_.rain
-        << ", infiltration " << sum_.infiltration
-        << ", surfaceOutflow " << sum_.surfaceOutflow
+    Info<< "Water [m3]: rain " << sum.rain
+        << ", infiltration " << sum.infiltration
+        << ", surfaceOutflow " << sum.surfaceOutflow
         << ", subsurfaceOutflow "
-        << sum_.subsurfaceOutflow - sum_.subsurfaceInflow
+        << subsurfaceOutflow
         << ", surfaceStorage " << surface
         << ", subsurfaceStorage " << subsurface
         << ", sourceSink " << sourceSink
         << ", error " << error << ", relativeError " << relativeError << endl;
-
-    keep();
 }
 
 // ************************************************************************* //

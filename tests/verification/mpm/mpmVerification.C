@@ -57,6 +57,7 @@ int main(int argc, char* argv[])
         {"selfWeightColumn", selfWeightColumn},
         {"infiniteSlope", infiniteSlope},
         {"columnCollapse", columnCollapse},
+        {"softeningRunout", softeningRunout},
         {"validationSlope", validationSlope},
         {"griffithsLane", griffithsLane},
         {"waterTableInside", waterTableInside},

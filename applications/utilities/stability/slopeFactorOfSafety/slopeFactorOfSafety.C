@@ -108,7 +108,7 @@ int main(int argc, char *argv[])
         );
     }
 
-    const slopeSafety safety
+    slopeSafety safety
     (
         args.getOrDefault<word>("name", "slopeStability"),
         mesh,

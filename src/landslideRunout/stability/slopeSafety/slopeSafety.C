@@ -23,6 +23,7 @@ License
 #include "slopeSafety.H"
 #include "criticalSurface.H"
 #include "factorOfSafetyTable.H"
+#include "fieldToPointMapping.H"
 #include "functionObject.H"
 #include "fvMesh.H"
 #include "IOdictionary.H"
@@ -397,7 +398,7 @@ Foam::slopeSafety::~slopeSafety()
 std::optional<Foam::scalar> Foam::slopeSafety::execute
 (
     const word& start
-) const
+)
 {
     const Time& time = mesh_.time();
     const std::shared_ptr<slopeStability::slopeSection> section(makeSection());

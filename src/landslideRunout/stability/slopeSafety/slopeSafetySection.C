@@ -290,12 +290,46 @@ Foam::boolList Foam::slopeSafety::mobile
 }
 
 
+const Foam::fieldToPointMapping& Foam::slopeSafety::mapping
+(
+    const pointField& places,
+    const labelList& cellSoil
+)
+{
+    const bool changed =
+        !mapping_
+     || mesh_.changing()
+     || places != places_
+     || cellSoil != cellSoil_;
+
+    if (returnReduce(changed, orOp<bool>()))
+    {
+        places_ = places;
+        cellSoil_ = cellSoil;
+
+        // Ends and rounding put nodes a little outside of the mesh
+        mapping_.reset
+        (
+            new fieldToPointMapping
+            (
+                mesh_,
+                places_,
+                outsidePolicy(outsidePolicy::NEAREST),
+                cellSoil_
+            )
+        );
+    }
+
+    return *mapping_;
+}
+
+
 std::vector<slopeStability::soilState> Foam::slopeSafety::sample
 (
     const soilZones& zones,
     const UList<vector2D>& nodes,
     labelList& soil
-) const
+)
 {
     pointField places(nodes.size());
     forAll(places, i)
@@ -306,29 +340,22 @@ std::vector<slopeStability::soilState> Foam::slopeSafety::sample
     const PtrList<soilMechanics> soilProperties(soils(zones));
     const boolList mayMove(mobile(zones, soilProperties));
 
-    // Ends and rounding put nodes a little outside of the mesh
-    const fieldToPointMapping mapping
-    (
-        mesh_,
-        places,
-        outsidePolicy(outsidePolicy::NEAREST),
-        zones.cellSoil()
-    );
+    const fieldToPointMapping& toPlaces = mapping(places, zones.cellSoil());
     const scalarField psi
     (
-        mapping.map<scalar>
+        toPlaces.map<scalar>
         (
             cellValues(mesh_, dict_.getOrDefault<word>("psi", "psi"))
         )
     );
     const scalarField theta
     (
-        mapping.map<scalar>
+        toPlaces.map<scalar>
         (
             cellValues(mesh_, dict_.getOrDefault<word>("theta", "theta"))
         )
     );
-    soil = mapping.mapCellLabels(zones.cellSoil(), -1);
+    soil = toPlaces.mapCellLabels(zones.cellSoil(), -1);
 
     const scalar rhoWater = readRhoWater(zones.soilDict(0).topDict());
     const scalar gammaWater = rhoWater*mag(g_);
@@ -362,7 +389,7 @@ std::vector<slopeStability::soilState> Foam::slopeSafety::sample
 
 
 std::shared_ptr<slopeStability::slopeSection>
-Foam::slopeSafety::makeSection() const
+Foam::slopeSafety::makeSection()
 {
     using namespace slopeStability;
 

@@ -79,8 +79,8 @@ bool slopeStability::arcFamily::aboveBase(const slipArc& arc) const
         {
             continue;
         }
-        const point a(xa, base.y(xa));
-        const point b(xb, base.y(xb));
+        const point a(xa, base.y(xa, i));
+        const point b(xb, base.y(xb, i));
 
         if (curved)
         {

@@ -199,6 +199,7 @@ TEST_CASE("Softening: strength falls in a straight line with slip, the same "
     material.softening.peakStrain = 0.01;
     material.softening.residualStrain = 0.11;
     material.softening.length = 0.5;
+    material.softening.regularisation = "crackBand";
 
     const auto tangent = [](const double a) { return std::tan(degree*a); };
     for (const double cellSize : {0.25, 0.5, 2.0})

@@ -54,6 +54,7 @@ mpm::Material softCone()
     material.softening.residualFrictionAngle = 20;
     material.softening.residualStrain = 0.01;
     material.softening.length = 0.1;
+    material.softening.regularisation = "crackBand";
     return material;
 }
 
@@ -64,8 +65,9 @@ mpm::Material nonlocalSand(const double cellSize)
     material.name = "softening sand";
     material.softening.residualFrictionAngle = 20;
     material.softening.residualStrain = 0.01;
-    material.softening.length = 4*cellSize;
-    material.softening.regularisation = "nonlocal";
+
+    // The mean is of every second step
+    material.softening.length = 6*cellSize;
     return material;
 }
 

@@ -25,6 +25,7 @@ License
 
 #include <doctest/doctest.h>
 
+#include <random>
 #include <sstream>
 
 using namespace engineCases;
@@ -247,6 +248,53 @@ TEST_CASE("area of contact of the nodes at a wall")
     CHECK(std::fabs(level.area(3 + edge*2) + level.area(3 + edge) - h) <= 1e-12);
     CHECK(std::fabs(level.area(3 + edge*2)/h - 6.0/7) <= 0.02);
     CHECK(std::fabs(level.volume(3 + edge*2) - 0.5*h*h) <= 1e-12);
+}
+
+
+TEST_CASE("what a block knows to be clear of walls is in front of them")
+{
+    // A level set, a box beside it, and a plane, which alone needs no list
+    const double h = 0.13;
+    const std::vector<mpm::Wall<3>> walls
+    {
+        mpm::Wall<3>(levelSet(ball, 0.1), {{0, 0, 1}}),
+        mpm::Wall<3>(obstacle(3), {{0, 0, 1}}),
+        mpm::Wall<3>(plane({{0, 0, -0.7}}, {{0, 0, 1}}), {{0, 0, 1}})
+    };
+    mpm::BlockGrid<3> grid(h, {{0.02, 0, 0}}, 2, walls);
+
+    std::mt19937 random(1);
+    int far = 0, clear = 0, behind = 0;
+    for (int i = 0; i < 20000; ++i)
+    {
+        mpm::BlockGrid<3>::Coordinates at;
+        mpm::Vector<3> x;
+        for (int d = 0; d < 3; ++d)
+        {
+            const double cells =
+                std::uniform_real_distribution<double>(-12, 20)(random);
+            at[d] = std::int32_t(std::floor(cells/grid.edge));
+
+            // Or beyond the upper end, as points are that leave
+            x[d] = grid.origin()[d] + h*(cells + (i % 2));
+        }
+        const auto& block = grid[grid.find(at)];
+        double distance = 1e300;
+        for (const mpm::Wall<3>& wall : walls)
+        {
+            mpm::Vector<3> normal;
+            distance = std::min(distance, wall.distance(x, normal));
+        }
+        const bool isClear = grid.isClear(block, x);
+        far += !block.clear.empty() && i % 2 == 0 && distance > 3*h;
+        clear += isClear && distance > 3*h && i % 2 == 0;
+        behind += isClear && distance < 0;
+    }
+    CHECK(behind == 0);
+
+    // Half the diagonal, twice, and that times sqrt(3) at most: all of these
+    CHECK(far > 1000);
+    CHECK(clear == far);
 }
 
 

@@ -293,7 +293,6 @@ TEST_CASE("several ranks give the run of one, bit by bit")
     nonlocal.residualFrictionAngle = 10;
     nonlocal.residualStrain = 0.3;
     nonlocal.length = 1;
-    nonlocal.regularisation = "nonlocal";
     checkRanks<2>(settings(2, 0.1), 20, 100, 0, nonlocal);
     checkRanks<3>(settings(3, 0.2), 7, 100, 0, nonlocal);
 
