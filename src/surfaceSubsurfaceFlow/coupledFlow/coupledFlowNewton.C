@@ -74,6 +74,10 @@ Foam::coupledFlow::limits Foam::coupledFlow::residualLimits() const
     // moves inside
     const scalar margin = 0.25;
 
+    // Share of the water there is that round-off of the fluxes through the
+    // boundary may take from the balance
+    const scalar largestLoss = 8e-15;
+
     // Water that came in or left, by which storages changed, that infiltrated,
     // that there is, and that passes faces
     scalarList volumes(5, Zero);
@@ -112,6 +116,7 @@ Foam::coupledFlow::limits Foam::coupledFlow::residualLimits() const
         tolerance_*min(margin*(totals_->crossed() + crossed), moved)
       + 2*epsilon*total;
     result.noise = min(roundOff*(total + passing), largestNoise*total);
+    result.loss = min(result.noise, largestLoss*total);
     result.norm = single*tolerance_*moved + result.noise;
 
     return result;
@@ -281,8 +286,8 @@ bool Foam::coupledFlow::iterate(const part solved)
     const scalar many = 100;
 
     // Multiple of its limit that the imbalance may then have, and a larger one
-    // after some iterations at rest, if it is small against what the step moves.
-    // More of it is water that nobody sent
+    // after some iterations at rest, if it is small against what the step moves
+    // or round-off. More of it is water that nobody sent
     const scalar tolerated = 2;
     const scalar toleratedAtLast = 100;
     const label nRest = 2;
@@ -360,7 +365,7 @@ bool Foam::coupledFlow::iterate(const part solved)
         {
             restLimit = min
             (
-                restLimit + (limit.norm - limit.noise)/single,
+                restLimit + (limit.norm - limit.noise)/single + limit.loss,
                 toleratedAtLast*limit.balance
             );
         }

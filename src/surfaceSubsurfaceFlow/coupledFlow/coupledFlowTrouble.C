@@ -55,9 +55,15 @@ Foam::string Foam::coupledFlow::place(const label unknown) const
 
 Foam::string Foam::coupledFlow::trouble() const
 {
-    const scalarField& residual = matrix_->residual();
+    const scalarField residual
+    (
+        performance_.converged
+      ? unknowns_ - unknownsOld_
+      : tmp<scalarField>(matrix_->residual())
+    );
 
-    // The unknown to name: one that fell too dry, else the largest residual
+    // The unknown to name: one that fell too dry, else the largest residual, or
+    // change if there is none
     label worst = performance_.dried ? soil_->driedCell() : -1;
     scalar largest = worst >= 0 ? mag(residual[worst]) : -1;
 
@@ -94,7 +100,7 @@ Foam::string Foam::coupledFlow::trouble() const
     {
         os  << "drier than the curves of its soil reach: ";
     }
-    else
+    else if (!performance_.converged)
     {
         if (performance_.singular)
         {
@@ -126,8 +132,16 @@ void Foam::coupledFlow::stop(const label nCuts) const
 
 void Foam::coupledFlow::stop(const string& why) const
 {
+    OStringStream what;
+    what<< "No solution of the step from t = " << step_.start << " s, "
+        << why.c_str();
+    stopRun(string(what.str()));
+}
+
+
+void Foam::coupledFlow::stopRun(const string& why) const
+{
     FatalErrorInFunction
-        << "No solution of the step from t = " << step_.start << " s, "
         << why.c_str() << ": " << trouble().c_str()
         << ". What was written before is complete." << exit(FatalError);
 }

@@ -141,32 +141,6 @@ void Foam::nonOrthogonalFlux::setInverse()
 }
 
 
-Foam::scalar Foam::nonOrthogonalFlux::limited
-(
-    const scalar correction,
-    const scalar pointFlux,
-    const scalar krOwner,
-    const scalar krOther
-)
-{
-    // Where the permeabilities differ by more than this a front passes
-    const scalar front = 2;
-
-    const scalar krLoser = correction > 0 ? krOwner : krOther;
-    const scalar krLargest = max(krOwner, krOther);
-
-    if (krLargest <= front*min(krOwner, krOther))
-    {
-        return correction;
-    }
-
-    const scalar bound = mag(pointFlux);
-    const scalar mobile = correction*min(front*krLoser/krLargest, scalar(1));
-
-    return min(max(mobile, -bound), bound);
-}
-
-
 Foam::tmp<Foam::vectorField> Foam::nonOrthogonalFlux::cellVelocity
 (
     const scalarField& pointFlux
@@ -221,6 +195,9 @@ Foam::nonOrthogonalFlux::nonOrthogonalFlux(const fvMesh& mesh)
     changes_(),
     active_(false),
     inverse_(mesh.nCells(), Zero),
+    lagged_(mesh.nFaces(), Zero),
+    laggedKr_(mesh.nFaces(), Zero),
+    bound_(mesh.nFaces(), Zero),
     correction_(mesh.nFaces(), Zero)
 {}
 
@@ -339,7 +316,7 @@ void Foam::nonOrthogonalFlux::update
 
     forAll(owner, facei)
     {
-        correction_[facei] =
+        lagged_[facei] =
             0.5*(velocity[owner[facei]] + across(facei)) & rest_[facei];
     }
 
@@ -349,7 +326,7 @@ void Foam::nonOrthogonalFlux::update
         const scalar first = c.firstConductance*kr[owner[c.face]];
         const scalar second = c.secondConductance*otherKr(c.face);
 
-        correction_[c.face] =
+        lagged_[c.face] =
             (
                 second*(velocity[owner[c.face]] & c.first)
               + first*(across(c.face) & c.second)
@@ -358,14 +335,92 @@ void Foam::nonOrthogonalFlux::update
 
     forAll(owner, facei)
     {
-        correction_[facei] = limited
-        (
-            correction_[facei],
-            pointFlux[facei],
-            kr[owner[facei]],
-            otherKr(facei)
-        );
+        laggedKr_[facei] =
+            lagged_[facei] > 0 ? kr[owner[facei]] : otherKr(facei);
     }
+
+    bound_ = mag(pointFlux);
+}
+
+
+void Foam::nonOrthogonalFlux::addTo
+(
+    richardsFlux::flux& f,
+    const label facei,
+    const mobility& first,
+    const mobility& second
+)
+{
+    // Where the permeabilities differ by more than this a front begins to pass,
+    // and by twice that it is one: between, the bound sets in little by little
+    const scalar front = 2;
+
+    const scalar lagged = lagged_[facei];
+
+    if (lagged == 0)
+    {
+        correction_[facei] = 0;
+        return;
+    }
+
+    const bool firstIsLess = (first.kr < second.kr);
+    const bool fromLess = ((lagged > 0) == firstIsLess);
+
+    const mobility& less = firstIsLess ? first : second;
+    const mobility& more = firstIsLess ? second : first;
+    const mobility& loser = fromLess ? less : more;
+
+    const scalar krFront = front*less.kr;
+    const bool atFront = (more.kr > krFront);
+    const scalar laggedKr = laggedKr_[facei];
+
+    // The correction, and its derivatives over the unknowns of the less and the
+    // more permeable side
+    scalar value = lagged;
+    scalar dLess = 0;
+    scalar dMore = 0;
+
+    // It falls with the mobility of the side that it drains
+    if (atFront && fromLess && front*laggedKr < more.kr)
+    {
+        value *= krFront/more.kr;
+        dLess = value*less.slope;
+        dMore = -value*more.slope;
+    }
+    else if (loser.kr < laggedKr)
+    {
+        value *= loser.kr/laggedKr;
+        (fromLess ? dLess : dMore) = value*loser.slope;
+    }
+
+    // At a front it is bounded
+    const scalar beyond =
+        min(max(value, -bound_[facei]), bound_[facei]) - value;
+
+    if (atFront && beyond != 0)
+    {
+        const scalar share = min(more.kr - krFront, krFront)/krFront;
+
+        dLess *= 1 - share;
+        dMore *= 1 - share;
+
+        // Where the more permeable side loses, this derivative would weaken the
+        // diagonal of the linear system
+        if (share < 1 && fromLess)
+        {
+            const scalar slope = (share + 1)*beyond;
+            dLess -= slope*less.slope;
+            dMore += slope*more.slope;
+        }
+
+        value += share*beyond;
+    }
+
+    correction_[facei] = value;
+
+    f.value += value;
+    f.dFirst += firstIsLess ? dLess : dMore;
+    f.dSecond += firstIsLess ? dMore : dLess;
 }
 
 // ************************************************************************* //

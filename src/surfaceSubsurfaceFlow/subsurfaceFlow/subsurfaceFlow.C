@@ -146,7 +146,6 @@ Foam::subsurfaceFlow::subsurfaceFlow
     ),
     connections_(mesh.nFaces()),
     correction_(mesh),
-    correctedK_(mesh.nFaces() - mesh.nInternalFaces(), Zero),
     otherSoil_(),
     cellStates_(mesh.nCells()),
     boundaryStates_(mesh.nFaces() - mesh.nInternalFaces()),

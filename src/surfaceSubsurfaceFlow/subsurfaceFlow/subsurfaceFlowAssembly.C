@@ -27,6 +27,37 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::subsurfaceFlow::correct
+(
+    richardsFlux::flux& f,
+    const label facei,
+    const soilTable::state& first,
+    const soilTable::state& second
+)
+{
+    if (!correction_.active())
+    {
+        return;
+    }
+
+    const auto mobility = [&](const soilTable::state& s, const label soili)
+    {
+        const scalar K = max(s.K, VSMALL);
+        return nonOrthogonalFlux::mobility{K/tables_[soili].Ks(), s.dK/K};
+    };
+
+    const richardsFlux::connection& c = connections_[facei];
+
+    correction_.addTo
+    (
+        f,
+        facei,
+        mobility(first, c.soil1),
+        mobility(second, c.soil2)
+    );
+}
+
+
 void Foam::subsurfaceFlow::assembleStorage(coupledMatrix& matrix) const
 {
     const scalarField& V = mesh_.V();
@@ -53,19 +84,16 @@ void Foam::subsurfaceFlow::assembleInternal
 {
     const labelList& owner = mesh_.faceOwner();
     const labelList& neighbour = mesh_.faceNeighbour();
-    const scalarField& correction = correction_.correction();
 
     forAll(neighbour, facei)
     {
         const soilTable::state& first = cellStates_[owner[facei]];
         const soilTable::state& second = cellStates_[neighbour[facei]];
-        const richardsFlux::flux f
-        (
-            flux(connections_[facei], first, second)
-        );
+        richardsFlux::flux f(flux(connections_[facei], first, second));
 
         pointFlux_[facei] = f.value;
-        faceFlux_[facei] = f.value + correction[facei];
+        correct(f, facei, first, second);
+        faceFlux_[facei] = f.value;
         fluxScale_ += f.scale;
 
         matrix.addFlux
@@ -93,18 +121,14 @@ void Foam::subsurfaceFlow::assembleProcessor
     forAll(patch, i)
     {
         const label facei = patch.start() + i;
-        const richardsFlux::flux f
-        (
-            flux
-            (
-                connections_[facei],
-                cellStates_[mesh_.faceOwner()[facei]],
-                boundaryStates_[facei - mesh_.nInternalFaces()]
-            )
-        );
+        const soilTable::state& first =
+            cellStates_[mesh_.faceOwner()[facei]];
+        const soilTable::state& second = boundaryState(facei);
+        richardsFlux::flux f(flux(connections_[facei], first, second));
 
         pointFlux_[facei] = f.value;
-        faceFlux_[facei] = f.value + correction_.correction()[facei];
+        correct(f, facei, first, second);
+        faceFlux_[facei] = f.value;
         fluxScale_ += f.scale;
 
         matrix.addInterfaceFlux
@@ -158,13 +182,6 @@ Foam::richardsFlux::flux Foam::subsurfaceFlow::boundaryFlux
         case condition::seepage:
         {
             result = flux(connections_[facei], cell, boundaryState(facei));
-
-            const scalar correction = correction_.correction()[facei];
-            if (type == condition::seepage && result.value + correction <= 0)
-            {
-                result = richardsFlux::flux();
-                result.value = -correction;
-            }
             break;
         }
         case condition::noFlow:
@@ -199,18 +216,27 @@ void Foam::subsurfaceFlow::assemblePatch
     forAll(patch, i)
     {
         const label facei = patch.start() + i;
-        const richardsFlux::flux f
-        (
-            boundaryFlux(flux, conditions_[patchi], facei, inflow)
-        );
+        const condition type = conditions_[patchi];
+        richardsFlux::flux f(boundaryFlux(flux, type, facei, inflow));
 
         pointFlux_[facei] = f.value;
+        if (open(type))
+        {
+            correct
+            (
+                f,
+                facei,
+                cellStates_[mesh_.faceOwner()[facei]],
+                boundaryState(facei)
+            );
+        }
+        if (type == condition::seepage && f.value <= 0)
+        {
+            f = richardsFlux::flux();
+            pointFlux_[facei] = -correction_.correction()[facei];
+        }
         faceFlux_[facei] = f.value;
         fluxScale_ += f.scale;
-        if (open(conditions_[patchi]))
-        {
-            faceFlux_[facei] += correction_.correction()[facei];
-        }
 
         matrix.addOutflow
         (
@@ -232,35 +258,15 @@ void Foam::subsurfaceFlow::assembleGround
     forAll(ground.faces(), i)
     {
         const label facei = ground.faces()[i];
+        const soilTable::state& cell =
+            cellStates_[mesh_.faceOwner()[facei]];
         const soilTable::state& s = boundaryState(facei);
-        richardsFlux::flux f
-        (
-            flux
-            (
-                connections_[facei],
-                cellStates_[mesh_.faceOwner()[facei]],
-                s
-            )
-        );
+        richardsFlux::flux f(flux(connections_[facei], cell, s));
 
         pointFlux_[facei] = f.value;
         fluxScale_ += f.scale;
 
-        // The face holds no water below the ground: what is drained from it
-        // falls with its conductivity, or no state of it might be a solution
-        const scalar correction = correction_.correction()[facei];
-        const scalar correctedK = correctedK_[facei - mesh_.nInternalFaces()];
-
-        if (correction < 0 && s.K < correctedK)
-        {
-            f.value += correction*s.K/correctedK;
-            f.dSecond += correction*s.dK/correctedK;
-        }
-        else
-        {
-            f.value += correction;
-        }
-
+        correct(f, facei, cell, s);
         faceFlux_[facei] = f.value;
 
         matrix.addFlux
@@ -421,10 +427,9 @@ void Foam::subsurfaceFlow::renewCorrection()
             const label facei = patch.start() + i;
             const label b = facei - mesh_.nInternalFaces();
 
-            correctedK_[b] = boundaryState(facei).K;
             boundaryKr[b] =
                 known
-              ? correctedK_[b]/tables_[connections_[facei].soil2].Ks()
+              ? boundaryState(facei).K/tables_[connections_[facei].soil2].Ks()
               : kr[mesh_.faceOwner()[facei]];
         }
     }

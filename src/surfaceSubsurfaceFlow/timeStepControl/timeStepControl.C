@@ -171,6 +171,8 @@ Foam::timeStepControl::timeStepControl
     nCuts_(0),
     nLost_(0),
     lostFrom_(runTime.value()),
+    nPaced_(0),
+    pacedFrom_(runTime.value()),
     errorRatio_(0),
     errorOrder_(1),
     rejections_(0)
@@ -181,7 +183,7 @@ Foam::timeStepControl::timeStepControl
         dict,
         {
             "localError", "fewIterations", "growth", "cut", "maxCuts",
-            "maxLost", "leastAdvance", "rescue"
+            "maxLost", "leastAdvance", "mostIterations", "rescue"
         }
     );
 
@@ -237,6 +239,15 @@ Foam::timeStepControl::timeStepControl
         1e-4,
         [](const scalar x) { return x >= 0 && x <= 1; },
         "0 <= leastAdvance <= 1"
+    );
+
+    mostIterations_ = readCheckedOrDefault
+    (
+        dict,
+        "mostIterations",
+        1e7,
+        [](const scalar x) { return x >= 0; },
+        ">= 0"
     );
 
     rescue_ = dict.lookupOrDefault<bool>("rescue", true);
@@ -298,6 +309,8 @@ bool Foam::timeStepControl::rejects(coupledFlow& water)
     // A step is repeated if its error is this much beyond the aim
     const scalar tolerated = 4;
 
+    nPaced_ += water.latest().iterations;
+
     if (water.latest().converged)
     {
         // The error of the scheme needs as many smooth steps as its order;
@@ -314,6 +327,7 @@ bool Foam::timeStepControl::rejects(coupledFlow& water)
 
         if (errorRatio_ <= tolerated)
         {
+            checkPace(water);
             return false;
         }
 
@@ -394,6 +408,50 @@ void Foam::timeStepControl::checkProgress(const coupledFlow& water)
 
     nLost_ = 0;
     lostFrom_ = runTime_.value();
+}
+
+
+void Foam::timeStepControl::checkPace(const coupledFlow& water)
+{
+    // So many iterations make a pace
+    const label window = 20000;
+
+    const scalar end = step_.start + step_.length();
+
+    // Shortened by what does not belong to the water, or after a sudden change
+    if
+    (
+        nSmooth_ == 0
+     || end >= nextEvent_ - minStep_
+     || step_.length() >= 0.5*maxStep_
+    )
+    {
+        nPaced_ = 0;
+        pacedFrom_ = end;
+        return;
+    }
+
+    if (nPaced_ < window)
+    {
+        return;
+    }
+
+    const scalar rest = runTime_.endTime().value() - end;
+    const scalar needed = nPaced_*rest/(end - pacedFrom_);
+
+    if (mostIterations_ > 0 && needed > mostIterations_)
+    {
+        OStringStream why;
+        why << "No end in reach from t = " << end << " s: " << nPaced_
+            << " iterations brought " << end - pacedFrom_ << " s, and the "
+            << rest << " s that are left would take " << needed
+            << ", more than mostIterations = " << mostIterations_
+            << ". The state changes most in";
+        water.stopRun(string(why.str()));
+    }
+
+    nPaced_ = 0;
+    pacedFrom_ = end;
 }
 
 
