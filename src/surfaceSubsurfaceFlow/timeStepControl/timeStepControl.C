@@ -245,7 +245,7 @@ Foam::timeStepControl::timeStepControl
     (
         dict,
         "mostIterations",
-        1e7,
+        1e6,
         [](const scalar x) { return x >= 0; },
         ">= 0"
     );
@@ -436,7 +436,7 @@ void Foam::timeStepControl::checkPace(const coupledFlow& water)
         return;
     }
 
-    const scalar rest = runTime_.endTime().value() - end;
+    const scalar rest = nextEvent_ - end;
     const scalar needed = nPaced_*rest/(end - pacedFrom_);
 
     if (mostIterations_ > 0 && needed > mostIterations_)
@@ -444,8 +444,8 @@ void Foam::timeStepControl::checkPace(const coupledFlow& water)
         OStringStream why;
         why << "No end in reach from t = " << end << " s: " << nPaced_
             << " iterations brought " << end - pacedFrom_ << " s, and the "
-            << rest << " s that are left would take " << needed
-            << ", more than mostIterations = " << mostIterations_
+            << rest << " s to the next output or change of rain would take "
+            << needed << ", more than mostIterations = " << mostIterations_
             << ". The state changes most in";
         water.stopRun(string(why.str()));
     }
