@@ -446,7 +446,7 @@ void Foam::timeStepControl::checkPace(const coupledFlow& water)
             << " iterations brought " << end - pacedFrom_ << " s, and the "
             << rest << " s to the next output or change of rain would take "
             << needed << ", more than mostIterations = " << mostIterations_
-            << ". The state changes most in";
+            << ". Where the state changes most";
         water.stopRun(string(why.str()));
     }
 
