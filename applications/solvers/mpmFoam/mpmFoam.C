@@ -42,6 +42,9 @@ Usage
         Whose factor of safety decides with run whenFactorOfSafetyBelow,
         default slopeStability.
 
+      - \par -psi \<field\>, -theta \<field\>
+        Names of the pressure head and the water content.
+
     With points from a file (see Foam::slidePoints) neither mesh nor fields are
     needed, and the hydrological time is 0 unless -time chooses another. Its
     folder is made, for the states from which a killed slide goes on.
@@ -63,8 +66,78 @@ See also
 
 #include "fvCFD.H"
 #include "landslideRunout.H"
+#include "optionEntries.H"
 #include "selectedTimes.H"
 #include "wholeCase.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- The clock of the case: of the whole one, or of this processor's part
+autoPtr<Time> newTime(const argList& args, const bool isWhole)
+{
+    return autoPtr<Time>
+    (
+        isWhole
+      ? new Time
+        (
+            Time::controlDictName,
+            args.rootPath(),
+            args.globalCaseName()
+        )
+      : new Time(Time::controlDictName, args)
+    );
+}
+
+
+//- The slide of points from a file
+void slideOfPoints
+(
+    const word& name,
+    Time& runTime,
+    const argList& args,
+    const dictionary& options
+)
+{
+    if (args.found("time"))
+    {
+        runTime.setTime(selectedTimes(runTime, args).last(), 0);
+    }
+
+    // Points from a file need no time folder, but what a killed slide goes on
+    // from lies in one
+    if (Pstream::master())
+    {
+        mkDir(runTime.globalPath()/runTime.timeName());
+    }
+
+    landslideRunout(name, runTime, nullptr, options).execute(std::nullopt);
+}
+
+
+//- The slides from the water of each selected time
+void slidesFromWater
+(
+    const word& name,
+    Time& runTime,
+    const argList& args,
+    const dictionary& options
+)
+{
+    const instantList times(selectedTimes(runTime, args));
+
+    #include "createNamedMesh.H"
+
+    landslideRunout runout(name, runTime, &mesh, options);
+
+    forAll(times, timei)
+    {
+        runTime.setTime(times[timei], timei);
+        mesh.readUpdate();
+
+        runout.execute(runout.writtenFactorOfSafety());
+    }
+}
+
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -90,70 +163,27 @@ int main(int argc, char *argv[])
     const bool isWhole = isWholeCase(args);
     const parallelSwitch reading(Pstream::parRun() && !isWhole);
 
-    autoPtr<Time> timePtr
+    autoPtr<Time> runTime(newTime(args, isWhole));
+    const dictionary options
     (
-        isWhole
-      ? new Time
+        optionEntries
         (
-            Time::controlDictName,
-            args.rootPath(),
-            args.globalCaseName()
+            args,
+            {"mpmProperties", "soilProperties", "psi", "theta", "stability"}
         )
-      : new Time(Time::controlDictName, args)
     );
-    Time& runTime = *timePtr;
-
-    dictionary options;
-    for
-    (
-        const word& key :
-        wordList
-        ({
-            "mpmProperties", "soilProperties", "psi", "theta", "stability"
-        })
-    )
-    {
-        if (args.found(key))
-        {
-            options.add(key, args.get<fileName>(key));
-        }
-    }
     const word name
     (
         args.getOrDefault<word>("name", landslideRunout::typeName)
     );
 
-    if (landslideRunout::needsNoMesh(runTime, options))
+    if (landslideRunout::needsNoMesh(*runTime, options))
     {
-        if (args.found("time"))
-        {
-            runTime.setTime(selectedTimes(runTime, args).last(), 0);
-        }
-
-        // Points from a file need no time folder, but what a killed slide goes
-        // on from lies in one
-        if (Pstream::master())
-        {
-            mkDir(runTime.globalPath()/runTime.timeName());
-        }
-
-        landslideRunout(name, runTime, nullptr, options).execute(std::nullopt);
+        slideOfPoints(name, *runTime, args, options);
     }
     else
     {
-        const instantList times(selectedTimes(runTime, args));
-
-        #include "createNamedMesh.H"
-
-        landslideRunout runout(name, runTime, &mesh, options);
-
-        forAll(times, timei)
-        {
-            runTime.setTime(times[timei], timei);
-            mesh.readUpdate();
-
-            runout.execute(runout.writtenFactorOfSafety());
-        }
+        slidesFromWater(name, *runTime, args, options);
     }
 
     Info<< "End" << nl << endl;

@@ -82,6 +82,9 @@ void mpm::FusedCycle<Dim>::step(State<Dim>& state, const double deltaT)
     {
         report.reset();
     }
+
+    // Zhu2022 Eq. 13: points carry their mass. Eq. 14: their momentum and the
+    // impulse of their stress to the nodes, then that of gravity
     scatterPatches(state, deltaT, 1);
 
     Vector<Dim> dv;

@@ -165,10 +165,15 @@ void Foam::coupledFlow::assemble()
     }
 
     matrix_->reset(leftOver_);
+
+    // Zhu2022 Eq. 7 at the ground's faces: dh/dt - R, the flow over the edges
+    // below
     water_->assemble(*matrix_, start_);
 
+    // Zhu2022 Eq. 8 in the cells, and the infiltration I between both
     assembleSoil();
 
+    // Zhu2022 Eq. 7: div of the discharge over a metre of width
     if (overland_)
     {
         overland_->assemble(*matrix_, *water_);

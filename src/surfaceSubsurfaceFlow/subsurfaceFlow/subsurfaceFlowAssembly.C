@@ -62,6 +62,7 @@ void Foam::subsurfaceFlow::assembleStorage(coupledMatrix& matrix) const
 {
     const scalarField& V = mesh_.V();
 
+    // Zhu2022 Eq. 8: the change of W, whose derivative is Cm + Se Ss
     forAll(cellStates_, celli)
     {
         const soilTable::state& s = cellStates_[celli];
@@ -85,6 +86,7 @@ void Foam::subsurfaceFlow::assembleInternal
     const labelList& owner = mesh_.faceOwner();
     const labelList& neighbour = mesh_.faceNeighbour();
 
+    // Zhu2022 Eq. 8: -K A grad(Hp + z) through the faces
     forAll(neighbour, facei)
     {
         const soilTable::state& first = cellStates_[owner[facei]];

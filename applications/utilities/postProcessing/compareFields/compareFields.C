@@ -65,7 +65,122 @@ Usage
 
 using namespace Foam;
 
-// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- What -help lists
+void addOptions()
+{
+    timeSelector::addOptions(false, false);
+    argList::addOption
+    (
+        "dict",
+        "file",
+        "Read this dictionary instead of system/compareFieldsDict"
+    );
+    argList::addOption
+    (
+        "reference",
+        "dir",
+        "Another case, or a folder with fields (relative to the case)"
+    );
+    argList::addOption
+    (
+        "fields",
+        "wordList",
+        "The fields, for example '(psi theta)', instead of the dictionary's"
+    );
+    argList::addOption
+    (
+        "tolerance",
+        "scalarList",
+        "With -fields: one tolerance for all or one for each"
+    );
+    argList::addOption
+    (
+        "measure",
+        "word",
+        "With -fields: L1, L2, Linf (default), relativeL1, relativeL2 or"
+        " relativeLinf"
+    );
+}
+
+
+//- The dictionary; an empty one if the options say it all
+IOdictionary readDictionary(const argList& args, const Time& runTime)
+{
+    const word dictName("compareFieldsDict");
+    #include "setSystemRunTimeDictionaryIO.H"
+
+    if (args.found("fields"))
+    {
+        dictIO.readOpt() = IOobject::NO_READ;
+
+        if (!args.found("reference") || !args.found("tolerance"))
+        {
+            FatalErrorInFunction
+                << "Option -fields needs -reference and -tolerance"
+                << exit(FatalError);
+        }
+    }
+
+    return IOdictionary(dictIO);
+}
+
+
+//- Path of the reference, from the option or from the dictionary
+fileName readReference
+(
+    const argList& args,
+    const dictionary& dict,
+    const Time& runTime
+)
+{
+    fileName reference
+    (
+        args.found("reference")
+      ? args.get<fileName>("reference")
+      : dict.get<fileName>("reference")
+    );
+    reference.expand();
+
+    if (!reference.isAbsolute())
+    {
+        reference = runTime.globalPath()/reference;
+    }
+
+    reference.clean();
+
+    return reference;
+}
+
+
+//- The times that the options select, the last one without an option
+instantList comparedTimes(const argList& args, Time& runTime)
+{
+    instantList times(timeSelector::select0(runTime, args));
+
+    if
+    (
+        !args.found("time")
+     && !args.found("latestTime")
+     && !args.found("noZero")
+     && times.size()
+    )
+    {
+        times = instantList(1, times.last());
+    }
+
+    if (times.empty())
+    {
+        FatalErrorInFunction
+            << "No time of the case " << runTime.path() << " is selected" << nl
+            << "    Its times: " << flatOutput(runTime.times())
+            << exit(FatalError);
+    }
+
+    return times;
+}
+
 
 //- The tolerance of each field, from the options or from the dictionary
 HashTable<fieldTolerance> readTolerances
@@ -280,6 +395,32 @@ autoPtr<fieldDifference> compare
 }
 
 
+//- Print how far a field is from the reference, and whether that is accepted
+bool accepted
+(
+    const word& name,
+    const fieldDifference& difference,
+    const fieldTolerance& tolerance
+)
+{
+    OStringStream exceeded;
+    const bool isAccepted = tolerance.accepts(difference, exceeded);
+
+    Info<< "    " << name << ':';
+    for (const word& m : fieldDifference::measureNames.names())
+    {
+        Info<< ' ' << m << ' '
+            << difference[fieldDifference::measureNames[m]];
+    }
+    Info<< nl
+        << "        worst " << difference.worst().c_str() << nl
+        << exceeded.str().c_str()
+        << "        " << (isAccepted ? "accepted" : "OUTSIDE") << nl;
+
+    return isAccepted;
+}
+
+
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
 int main(int argc, char *argv[])
@@ -290,96 +431,15 @@ int main(int argc, char *argv[])
         "Exit code 1 if one is outside its tolerance.\n"
         "Without a time option the last time is compared."
     );
-
-    timeSelector::addOptions(false, false);
-    argList::addOption
-    (
-        "dict",
-        "file",
-        "Read this dictionary instead of system/compareFieldsDict"
-    );
-    argList::addOption
-    (
-        "reference",
-        "dir",
-        "Another case, or a folder with fields (relative to the case)"
-    );
-    argList::addOption
-    (
-        "fields",
-        "wordList",
-        "The fields, for example '(psi theta)', instead of the dictionary's"
-    );
-    argList::addOption
-    (
-        "tolerance",
-        "scalarList",
-        "With -fields: one tolerance for all or one for each"
-    );
-    argList::addOption
-    (
-        "measure",
-        "word",
-        "With -fields: L1, L2, Linf (default), relativeL1, relativeL2 or"
-        " relativeLinf"
-    );
+    addOptions();
 
     #include "setRootCase.H"
     #include "createTime.H"
 
-    const word dictName("compareFieldsDict");
-    #include "setSystemRunTimeDictionaryIO.H"
-
-    if (args.found("fields"))
-    {
-        dictIO.readOpt() = IOobject::NO_READ;
-
-        if (!args.found("reference") || !args.found("tolerance"))
-        {
-            FatalErrorInFunction
-                << "Option -fields needs -reference and -tolerance"
-                << exit(FatalError);
-        }
-    }
-
-    const IOdictionary dict(dictIO);
-
-    fileName reference
-    (
-        args.found("reference")
-      ? args.get<fileName>("reference")
-      : dict.get<fileName>("reference")
-    );
-    reference.expand();
-
-    if (!reference.isAbsolute())
-    {
-        reference = runTime.globalPath()/reference;
-    }
-    reference.clean();
-
+    const IOdictionary dict(readDictionary(args, runTime));
+    const fileName reference(readReference(args, dict, runTime));
     const HashTable<fieldTolerance> tolerances(readTolerances(args, dict));
-
-    instantList times(timeSelector::select0(runTime, args));
-
-    if
-    (
-        !args.found("time")
-     && !args.found("latestTime")
-     && !args.found("noZero")
-     && times.size()
-    )
-    {
-        times = instantList(1, times.last());
-    }
-
-    if (times.empty())
-    {
-        FatalErrorInFunction
-            << "No time of the case " << runTime.path() << " is selected" << nl
-            << "    Its times: " << flatOutput(runTime.times())
-            << exit(FatalError);
-    }
+    const instantList times(comparedTimes(args, runTime));
 
     #include "createNamedMesh.H"
     autoPtr<faMesh> aMesh;
@@ -407,22 +467,7 @@ int main(int argc, char *argv[])
                 )
             );
 
-            OStringStream exceeded;
-            const bool accepted =
-                tolerances[name].accepts(*difference, exceeded);
-
-            Info<< "    " << name << ':';
-            for (const word& m : fieldDifference::measureNames.names())
-            {
-                Info<< ' ' << m << ' '
-                    << (*difference)[fieldDifference::measureNames[m]];
-            }
-            Info<< nl
-                << "        worst " << difference->worst().c_str() << nl
-                << exceeded.str().c_str()
-                << "        " << (accepted ? "accepted" : "OUTSIDE") << nl;
-
-            nOutside += !accepted;
+            nOutside += !accepted(name, *difference, tolerances[name]);
         }
     }
 

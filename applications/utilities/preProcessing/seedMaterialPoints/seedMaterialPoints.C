@@ -37,6 +37,9 @@ Usage
       - \par -mpmProperties \<file\>, -soilProperties \<file\>
         Variants of these files in constant.
 
+      - \par -psi \<field\>, -theta \<field\>
+        Names of the pressure head and the water content.
+
       - \par -format \<format\>
         vtp (default), csv or raw.
 
@@ -52,6 +55,7 @@ See also
 
 #include "fvCFD.H"
 #include "landslideRunout.H"
+#include "optionEntries.H"
 #include "pointSetWriter.H"
 #include "pointTable.H"
 #include "selectedTimes.H"
@@ -112,19 +116,14 @@ int main(int argc, char *argv[])
     #include "setRootCase.H"
     #include "createTime.H"
 
-    dictionary options;
-    for
+    const dictionary options
     (
-        const word& key :
-        wordList({"mpmProperties", "soilProperties", "psi", "theta", "format"})
-    )
-    {
-        if (args.found(key))
-        {
-            options.add(key, args.get<fileName>(key));
-        }
-    }
-
+        optionEntries
+        (
+            args,
+            {"mpmProperties", "soilProperties", "psi", "theta", "format"}
+        )
+    );
     const instantList times(selectedTimes(runTime, args));
 
     #include "createNamedMesh.H"

@@ -62,6 +62,7 @@ See also
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
+#include "optionEntries.H"
 #include "selectedTimes.H"
 #include "slopeSafety.H"
 
@@ -90,14 +91,7 @@ int main(int argc, char *argv[])
 
     #include "createNamedMesh.H"
 
-    dictionary settings;
-    for (const word& key : wordList({"psi", "theta"}))
-    {
-        if (args.found(key))
-        {
-            settings.add(key, args.get<word>(key));
-        }
-    }
+    dictionary settings(optionEntries(args, {"psi", "theta"}));
     if (args.found("soilProperties"))
     {
         // A file in constant, with or without its path
