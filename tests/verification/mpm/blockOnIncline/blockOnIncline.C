@@ -27,7 +27,9 @@ Description
     cells, with vertical gravity.
 
     A single grain on a plane across the cells, of which the nodes know little:
-    Coulomb friction brakes it by just mu, a rough wall stops it.
+    Coulomb friction brakes it by just mu, a rough wall stops it. Grains and a
+    layer of them at rest a quarter of a cell above a rough plane: the nodes
+    behind it brake their fall, and they stay where they touch the plane.
 
 \*---------------------------------------------------------------------------*/
 
@@ -138,15 +140,18 @@ double moved(const mpm::Run& run)
 }
 
 
-//- A grain, one point, that moves down a plane of 8 degrees across the cells
-//  at 5 m/s at first; so far from the plane and along it [m]
-std::unique_ptr<mpm::Run> grain
+//- A grain, one point, or a row of them every half a cell, that moves down a
+//  plane of 8 degrees across the cells with this speed at first; so far from
+//  the plane and along it [m]
+std::unique_ptr<mpm::Run> grains
 (
     const std::string& transfer,
     const std::string& condition,
     const double mu,
     const double away,
-    const double along
+    const double along,
+    const double speed,
+    const int n
 )
 {
     const double s = std::sin(mild), c = std::cos(mild);
@@ -157,26 +162,101 @@ std::unique_ptr<mpm::Run> grain
     settings.transferScheme = transfer;
 
     mpm::PointData points;
-    points.position.push_back
-    (
-        {{along*c + away*s, away*c - along*s, 0}}
-    );
-    points.volume.push_back(0.25*grainCell*grainCell);
-    points.rho.push_back(rho);
-    points.zone.push_back(0);
-    points.velocity.push_back({{grainSpeed*c, -grainSpeed*s, 0}});
+    for (int i = 0; i < n; ++i)
+    {
+        const double x = along + 0.5*i*grainCell;
+        points.position.push_back({{x*c + away*s, away*c - x*s, 0}});
+        points.volume.push_back(0.25*grainCell*grainCell);
+        points.rho.push_back(rho);
+        points.zone.push_back(0);
+        points.velocity.push_back({{speed*c, -speed*s, 0}});
+    }
 
-    mpm::Material stiff;
-    stiff.constitutiveModel = "linearElastic";
-    stiff.E = 2e6;
+    // One grain is elastic, a row of them is sand
+    mpm::Material material;
+    material.E = 2e6;
+    if (n == 1)
+    {
+        material.constitutiveModel = "linearElastic";
+    }
+    else
+    {
+        points.frictionAngle.assign(n, 30);
+        points.cohesionIntercept.assign(n, 0);
+    }
 
     return mpm::Run::New
     (
         2,
         settings,
         points,
-        {stiff},
+        {material},
         {verification::plane("plane", condition, {{0, 0, 0}}, {{s, c, 0}}, mu)}
+    );
+}
+
+
+//- Mean way of the points between two times
+double meanWay
+(
+    const std::vector<double>& before,
+    const std::vector<double>& after
+)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < before.size(); i += 3)
+    {
+        sum += std::hypot(after[i] - before[i], after[i + 1] - before[i + 1]);
+    }
+    return 3*sum/before.size();
+}
+
+
+//- Grains a quarter of a cell above a rough plane, by so many at so many places
+//  along it: their mean way until they touch it, and in as much time after
+void sinkOntoRoughPlane
+(
+    verification::Checks& checks,
+    const std::string& transfer,
+    const int n,
+    const double most,
+    const double mostLater,
+    const std::string& reason
+)
+{
+    const double time = 30;
+    double way = 0, later = 0;
+    for (const double along : {0.0, 0.1, 0.35, 0.6, 0.85})
+    {
+        auto run = grains
+        (
+            transfer,
+            "rough",
+            0,
+            0.25*grainCell,
+            along*grainCell,
+            0,
+            n
+        );
+        run->advance(time);
+        const std::vector<double> u = run->field("displacement");
+        run->advance(2*time);
+        way = std::fmax(way, meanWay(std::vector<double>(u.size(), 0), u));
+        later = std::fmax(later, meanWay(u, run->field("displacement")));
+    }
+    const std::string name =
+        (n == 1 ? "one grain" : "a layer of a grain")
+      + std::string(" a quarter of a cell above a rough plane, ") + transfer;
+    checks.less
+    (
+        name + ": its way in 30 s over the cell", way/grainCell, most, reason
+    );
+    checks.less
+    (
+        name + ": its way in the next 30 s over the cell",
+        later/grainCell,
+        mostLater,
+        "the wall takes the part of a step that would be behind it"
     );
 }
 
@@ -198,7 +278,8 @@ void verification::blockOnIncline(Checks& checks, const bool)
     for (const std::string transfer : {"APIC", "TPIC", "AFLIP", "FLIP"})
     {
         const double mu = 0.4, away = 0.25*grainCell, time = 0.5;
-        auto run = grain(transfer, "coulomb", mu, away, away);
+        auto run =
+            grains(transfer, "coulomb", mu, away, away, grainSpeed, 1);
         run->advance(time);
         const double exact =
             grainSpeed
@@ -218,9 +299,15 @@ void verification::blockOnIncline(Checks& checks, const bool)
         double still = 0, way = 0;
         for (const double along : {0.0, 0.1, 0.35, 0.6, 0.85})
         {
-            auto run = grain
+            auto run = grains
             (
-                transfer, "rough", 0, 1e-3*grainCell, along*grainCell
+                transfer,
+                "rough",
+                0,
+                1e-3*grainCell,
+                along*grainCell,
+                grainSpeed,
+                1
             );
             run->advance(1);
             still = std::fmax(still, speed(*run));
@@ -238,10 +325,24 @@ void verification::blockOnIncline(Checks& checks, const bool)
         (
             name + "its way over the cell",
             way/grainCell,
-            0.15,
-            "a few steps at 5 m/s, then the fall of each step"
+            0.08,
+            "a few steps at 5 m/s"
+        );
+        sinkOntoRoughPlane
+        (
+            checks,
+            transfer,
+            1,
+            0.5,
+            1e-12,
+            "a quarter of a cell across the plane, and along it as much: what "
+            "nodes leave of a step's fall has any direction"
         );
     }
+    sinkOntoRoughPlane
+    (
+        checks, "APIC", 20, 0.5, 0.05, "as one; neighbours hold a few"
+    );
 
     const double cellSize = 0.125;
     for (const bool inclined : {false, true})

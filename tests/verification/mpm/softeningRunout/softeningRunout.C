@@ -140,7 +140,7 @@ Runout runout
         "base", column.roughBase ? "rough" : "coulomb",
         {{0, 0, 0}}, {{0, 1, 0}}, std::tan(degree*column.residualPhi)
     );
-    base.adhesion = column.residualCohesion;
+    base.adhesion = column.roughBase ? 0 : column.residualCohesion;
     auto run = mpm::Run::New
     (
         2, settings, points, {soil},
