@@ -50,7 +50,7 @@ def main(source, target):
                 for n in cells
             ]
             image = axes.imshow(
-                table, cmap=colours, vmin=-3.5, vmax=0, aspect="auto",
+                table, cmap=colours, vmin=-4, vmax=0, aspect="auto",
                 origin="lower",
             )
             axes.set_xticks(range(len(cfls)), cfls, fontsize=5)
