@@ -21,6 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "engineCases.H"
+#include "mpmMovePoint.H"
 
 #include <doctest/doctest.h>
 
@@ -53,6 +54,18 @@ mpm::Vector<2> after
     return v;
 }
 
+//- Of a step that ends so far behind the wall
+mpm::Vector<2> change
+(
+    const mpm::WallSettings& settings,
+    const double behind,
+    const mpm::Vector<2>& step
+)
+{
+    const mpm::Wall<2> wall(settings, {{0, 1}});
+    return mpm::changeOfStep<2>(wall, {{0, 1}}, -behind, step);
+}
+
 } // End anonymous namespace
 
 
@@ -73,6 +86,35 @@ TEST_CASE("what walls leave of a velocity")
     CHECK(after(plane("coulomb", 0.5), {{-3, -4}}) == V{{-1, 0}});
     CHECK(after(plane("coulomb", 0.8), {{3, -4}}) == V{{0, 0}});
     CHECK(after(plane("coulomb", 0.5), {{3, 4}}) == V{{3, 4}});
+}
+
+
+TEST_CASE("what walls change of a step that ends behind them")
+{
+    typedef mpm::Vector<2> V;
+
+    // Half of it is behind: half of what the wall takes; exact numbers
+    CHECK(change(plane("rough"), 2, {{3, -4}}) == V{{-1.5, 2}});
+    CHECK(change(plane("slip"), 2, {{3, -4}}) == V{{0, 2}});
+    CHECK(change(plane("coulomb", 0.5), 2, {{3, -4}}) == V{{-1, 2}});
+    CHECK(change(plane("coulomb", 0.8), 2, {{3, -4}}) == V{{-1.5, 2}});
+
+    // From behind: all of what the wall takes, and out on its normal
+    CHECK(change(plane("rough"), 3, {{3, -1}}) == V{{-3, 3}});
+    CHECK(change(plane("slip"), 3, {{3, -1}}) == V{{0, 3}});
+
+    // On its way out
+    CHECK(change(plane("rough"), 1, {{3, 1}}) == V{{0, 1}});
+
+    mpm::WallSettings floor;
+    floor.condition = "rough";
+    floor.normal = {{0, 0, 1}};
+    const mpm::Wall<3> wall(floor, {{0, 0, 1}});
+    const mpm::Vector<3> expected{{-0.25, -0.5, 1}};
+    CHECK
+    (
+        mpm::changeOfStep<3>(wall, {{0, 0, 1}}, -1, {{1, 2, -4}}) == expected
+    );
 }
 
 
