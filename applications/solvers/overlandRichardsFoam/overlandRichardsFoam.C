@@ -85,6 +85,7 @@ int main(int argc, char *argv[])
     setUnfinishedTimesAside(args);
 
     #include "createTime.H"
+    checkStartTime(runTime);
     #include "createMesh.H"
 
     // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //

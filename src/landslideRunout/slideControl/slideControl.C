@@ -166,11 +166,18 @@ Foam::slideControl::decision Foam::slideControl::decide
 }
 
 
-bool Foam::slideControl::looksForRest(const scalar timeSinceLast) const
+bool Foam::slideControl::looksForRest
+(
+    const scalar time,
+    const scalar lastTime
+) const
 {
     const scalar rounding = 1e-9;
 
-    return stopAtRest_ && timeSinceLast >= restDuration_*(1 - rounding);
+    return
+        stopAtRest_
+     && time < endTime_*(1 - rounding)
+     && time - lastTime >= restDuration_*(1 - rounding);
 }
 
 

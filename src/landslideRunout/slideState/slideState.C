@@ -194,7 +194,7 @@ void Foam::slideState::lookForRest
     lowest_ = min(lowest_, scalar(now.maxDisplacement));
     highest_ = max(highest_, scalar(now.maxDisplacement));
 
-    if (control.looksForRest(now.time - lookTime_))
+    if (control.looksForRest(now.time, lookTime_))
     {
         missed_ = control.missedDisplacement
         (

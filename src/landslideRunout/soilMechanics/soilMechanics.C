@@ -166,6 +166,19 @@ Foam::soilMechanics::soilMechanics
         [](const scalar x){ return x >= 0 && x < 0.5; },
         "0 <= nu < 0.5"
     );
+    warnUnlessUsual
+    (
+        dict, "rhoDry", rhoDry_, {100, 5000}, "100 to 5000 kg/m3"
+    );
+    warnUnlessUsual(dict, "E", material_.E, {1e4, 1e12}, "1e4 to 1e12 Pa");
+    if (cohesion_ > 0)
+    {
+        warnUnlessUsual
+        (
+            dict, "cohesion", cohesion_, {50, 1e8}, "none or 50 to 1e8 Pa"
+        );
+    }
+
     material_.dilationAngle = readCheckedOrDefault
     (
         dict,

@@ -176,6 +176,9 @@ void Foam::groundSurface::reportRain(const scalar t1, const scalar t2) const
 {
     const scalar millimetres = 1e3;
 
+    // Mean over an hour or more that no gauge has recorded [mm/h]
+    const scalar mostRain = 500;
+
     const scalarField volume(rainVolume(t1, t2));
 
     forAll(rains_, groupi)
@@ -213,6 +216,16 @@ void Foam::groundSurface::reportRain(const scalar t1, const scalar t2) const
         }
 
         Info<< endl;
+
+        const scalar hours = (t2 - t1)/3600;
+        if (millimetres*depth > mostRain*max(hours, scalar(1)))
+        {
+            WarningInFunction
+                << "Rain on " << names_[groupi] << " of "
+                << millimetres*depth << " mm in " << hours
+                << " h is more than has ever fallen. Is its unit right?"
+                << endl;
+        }
     }
 }
 

@@ -21,6 +21,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "wholeTimes.H"
+#include "DynamicList.H"
+#include "FlatOutput.H"
 #include "HashSet.H"
 #include "IOstreams.H"
 #include "OFstream.H"
@@ -93,6 +95,36 @@ void Foam::setUnfinishedTimesAside(const argList& args)
                 << "Can't rename " << folder << " to " << aside
                 << exit(FatalError);
         }
+    }
+}
+
+
+void Foam::checkStartTime(const Time& runTime)
+{
+    // Names of times have 6 digits by default
+    const scalar sameTime = 1e-6*max(mag(runTime.value()), scalar(1));
+
+    DynamicList<word> names;
+
+    for (const instant& t : runTime.times())
+    {
+        if (t.name() != runTime.constant())
+        {
+            if (mag(t.value() - runTime.value()) <= sameTime)
+            {
+                return;
+            }
+            names.append(t.name());
+        }
+    }
+
+    if (names.size())
+    {
+        FatalErrorInFunction
+            << "The case " << runTime.path() << " has no time "
+            << runTime.timeName() << " to start from (startFrom, startTime of"
+            << " system/controlDict). Its times: " << flatOutput(names)
+            << exit(FatalError);
     }
 }
 

@@ -66,6 +66,26 @@ Foam::scalar Foam::readCheckedOrDefault
     return readChecked(dict, key, valid, range);
 }
 
+
+void Foam::warnUnlessUsual
+(
+    const dictionary& dict,
+    const word& key,
+    const scalar value,
+    const Pair<scalar>& usual,
+    const string& range
+)
+{
+    if (value < usual.first() || value > usual.second())
+    {
+        IOWarningInFunction(dict)
+            << "Entry '" << key << "' of " << dict.name() << " is " << value
+            << "; soils have " << range.c_str() << ". Is the unit right?"
+            << endl;
+    }
+}
+
+
 const Foam::dictionary& Foam::checkKeys
 (
     const dictionary& dict,

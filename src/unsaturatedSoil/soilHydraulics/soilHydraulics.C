@@ -65,6 +65,7 @@ Foam::soilHydraulics::soilHydraulics(const word& name, const dictionary& dict)
         {"Ks", "Ss", "anisotropy", "fields"},
         {"retention", "relativePermeability"}
     );
+    warnUnlessUsual(dict, "Ks", Ks_, {1e-14, 0.1}, "1e-14 to 0.1 m/s");
 }
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

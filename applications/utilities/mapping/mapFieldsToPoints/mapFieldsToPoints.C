@@ -68,6 +68,7 @@ Usage
 #include "pointSetWriter.H"
 #include "pointSource.H"
 #include "pointTable.H"
+#include "selectedTimes.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -166,7 +167,7 @@ int main(int argc, char *argv[])
     #include "setRootCase.H"
     #include "createTime.H"
 
-    const instantList times(timeSelector::select0(runTime, args));
+    const instantList times(selectedTimes(runTime, args));
 
     #include "createNamedMesh.H"
 

@@ -61,6 +61,7 @@ Usage
 #include "faMesh.H"
 #include "areaFields.H"
 #include "fieldTolerance.H"
+#include "selectedTimes.H"
 #include "storedField.H"
 
 using namespace Foam;
@@ -157,28 +158,12 @@ fileName readReference
 //- The times that the options select, the last one without an option
 instantList comparedTimes(const argList& args, Time& runTime)
 {
-    instantList times(timeSelector::select0(runTime, args));
+    const instantList times(selectedTimes(runTime, args));
 
-    if
-    (
-        !args.found("time")
-     && !args.found("latestTime")
-     && !args.found("noZero")
-     && times.size()
-    )
-    {
-        times = instantList(1, times.last());
-    }
+    const bool all =
+        args.found("time") || args.found("latestTime") || args.found("noZero");
 
-    if (times.empty())
-    {
-        FatalErrorInFunction
-            << "No time of the case " << runTime.path() << " is selected" << nl
-            << "    Its times: " << flatOutput(runTime.times())
-            << exit(FatalError);
-    }
-
-    return times;
+    return all ? times : instantList(1, times.last());
 }
 
 

@@ -141,6 +141,56 @@ static bool prescribesHead(const fvPatchScalarField& patch)
 }
 
 
+//- Warn where water would stand on faces that look up, and how high
+static void reportPonding
+(
+    const waterTable& table,
+    const vector& up,
+    const fvMesh& mesh
+)
+{
+    // Steeper faces are walls, not ground
+    const scalar leastSlope = 0.1;
+
+    label nFaces = 0;
+    label nPonded = 0;
+    scalar highest = 0;
+
+    for (const fvPatch& patch : mesh.boundary())
+    {
+        if (patch.coupled() || !patch.size())
+        {
+            continue;
+        }
+
+        const scalarField slope(patch.nf() & up);
+        const scalarField head(hydrostatic(table, up, patch.Cf()));
+
+        forAll(head, facei)
+        {
+            if (slope[facei] > leastSlope)
+            {
+                ++nFaces;
+                nPonded += head[facei] > 0;
+                highest = max(highest, head[facei]);
+            }
+        }
+    }
+
+    reduce(nFaces, sumOp<label>());
+    reduce(nPonded, sumOp<label>());
+    reduce(highest, maxOp<scalar>());
+
+    if (nPonded)
+    {
+        WarningInFunction
+            << "The water table lies above the ground at " << nPonded << " of "
+            << nFaces << " faces that look up, by up to " << highest << " m"
+            << endl;
+    }
+}
+
+
 int main(int argc, char *argv[])
 {
     argList::addNote
@@ -212,8 +262,10 @@ int main(int argc, char *argv[])
     Info<< "psi in the cells: " << gMin(psi.primitiveField()) << " to "
         << gMax(psi.primitiveField()) << " m; "
         << 100*saturatedVolume.value()/gSum(mesh.V())
-        << " % of the volume lies below the water table" << nl
-        << "Writing psi and theta in " << runTime.timeName() << nl << endl;
+        << " % of the volume lies below the water table" << endl;
+    reportPonding(*table, up, mesh);
+
+    Info<< "Writing psi and theta in " << runTime.timeName() << nl << endl;
 
     if (!psi.write() || !theta().write())
     {

@@ -76,6 +76,7 @@ See also
 #include "cellZone.H"
 #include "IOdictionary.H"
 #include "uniformDimensionedFields.H"
+#include "readChecked.H"
 #include "terrainLayers.H"
 
 using namespace Foam;
@@ -206,7 +207,8 @@ List<DynamicList<label>> cellsOfZones
 
     forAll(names, zonei)
     {
-        const dictionary& zoneDict = dict.subDict(names[zonei]);
+        const dictionary& zoneDict =
+            checkKeys(dict.subDict(names[zonei]), {"bottom"});
         const bool last = (zonei == names.size() - 1);
 
         if (last == zoneDict.found("bottom"))
@@ -223,7 +225,8 @@ List<DynamicList<label>> cellsOfZones
             {
                 FatalIOErrorInFunction(zoneDict)
                     << "No surface '" << bottom << "' for 'bottom';"
-                    << " the surfaces are " << surfaces.sortedToc()
+                    << " the surfaces are "
+                    << flatOutput(surfaces.sortedToc())
                     << exit(FatalIOError);
             }
             bottoms[zonei] = surfaces[bottom];
@@ -370,6 +373,8 @@ int main(int argc, char *argv[])
             args.opt<fileName>("dict", "")
         )
     );
+
+    checkKeys(dict, wordList(), {"FoamFile", "surfaces", "layers", "zones"});
 
     HashPtrTable<terrainSurface> surfaces;
     readSurfaces(dict.subDict("surfaces"), runTime.path(), surfaces);

@@ -324,10 +324,23 @@ Foam::scalar Foam::rainRecord::rateAfter() const
 void Foam::rainRecord::stopAtGap(const scalar begin, const scalar end) const
 {
     FatalIOErrorInFunction(dict_)
-        << "The run needs the rain between t = " << begin << " s and " << end
-        << " s, which the file " << table_.file() << " does not know: it"
+        << "The run needs the rain from t = " << begin << " s ";
+
+    if (end < times_.last())
+    {
+        FatalIOError<< "to " << end << " s";
+    }
+    else
+    {
+        FatalIOError<< "on";
+    }
+
+    FatalIOError
+        << ", which the file " << table_.file() << " does not know: it"
         << " reaches from " << times_.first() << " s to " << times_.last()
-        << " s, and this is a gap. Entry 'gapPolicy' can say what to take"
+        << " s, its times being read in the timeUnit "
+        << dict_.getOrDefault<word>("timeUnit", "s")
+        << ", and this is a gap. Entry 'gapPolicy' can say what to take"
         << " there: zero, or hold for the last known rate"
         << exit(FatalIOError);
 }

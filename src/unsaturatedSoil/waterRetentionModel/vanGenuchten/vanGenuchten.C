@@ -154,6 +154,7 @@ Foam::waterRetentionModels::vanGenuchten::vanGenuchten(const dictionary& dict)
         dict,
         {"type", "thetaS", "thetaR", "alpha", "m", "n", "airEntryHead"}
     );
+    warnUnlessUsual(dict, "alpha", alpha_, {0.05, 100}, "0.05 to 100 1/m");
 
     if (saturationHead_ < 0)
     {

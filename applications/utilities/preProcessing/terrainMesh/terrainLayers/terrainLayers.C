@@ -22,6 +22,7 @@ License
 
 #include "terrainLayers.H"
 #include "FlatOutput.H"
+#include "readChecked.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -76,6 +77,8 @@ Foam::terrainLayers::terrainLayers
     ),
     fractions_()
 {
+    checkKeys(dict, {"ground", "base", "depths", "expansion"});
+
     const label nBelow = nLayers + 1 - depths_.size();
 
     if (depths_.empty() || depths_[0] != 0 || nBelow < 1)

@@ -57,6 +57,8 @@ Foam::waterTables::depthBelowGround::depthBelowGround
         )
     )
 {
+    checkKeys(dict, {"type", "depth", "groundPatch"}, {"FoamFile"});
+
     const word patchName(dict.getOrDefault<word>("groundPatch", "ground"));
     const label patchi = mesh.boundaryMesh().findPatchID(patchName);
 

@@ -55,7 +55,9 @@ Foam::waterTables::levelWaterTable::levelWaterTable
             "any finite elevation [m]"
         )
     )
-{}
+{
+    checkKeys(dict, {"type", "level"}, {"FoamFile"});
+}
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 

@@ -25,6 +25,7 @@ License
 #include "polyMesh.H"
 #include "Time.H"
 #include "addToRunTimeSelectionTable.H"
+#include "readChecked.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -49,6 +50,8 @@ Foam::waterTables::surfaceWaterTable::surfaceWaterTable
     waterTable(),
     surface_()
 {
+    checkKeys(dict, {"type", "file"}, {"FoamFile"});
+
     const fileName file
     (
         mesh.time().globalPath()/mesh.time().constant()/"triSurface"

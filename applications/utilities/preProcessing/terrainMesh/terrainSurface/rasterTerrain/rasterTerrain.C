@@ -22,6 +22,7 @@ License
 
 #include "rasterTerrain.H"
 #include "addToRunTimeSelectionTable.H"
+#include "readChecked.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -111,7 +112,9 @@ Foam::terrainSurfaces::rasterTerrain::rasterTerrain
         }(),
         dict
     )
-{}
+{
+    checkKeys(dict, {"type", "offset", "file"});
+}
 
 
 // ************************************************************************* //

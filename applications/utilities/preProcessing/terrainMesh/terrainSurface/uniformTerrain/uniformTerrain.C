@@ -22,6 +22,7 @@ License
 
 #include "uniformTerrain.H"
 #include "addToRunTimeSelectionTable.H"
+#include "readChecked.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -46,7 +47,9 @@ Foam::terrainSurfaces::uniformTerrain::uniformTerrain
 :
     terrainSurface(name, dict),
     elevation_(dict.get<scalar>("elevation"))
-{}
+{
+    checkKeys(dict, {"type", "offset", "elevation"});
+}
 
 
 // ************************************************************************* //

@@ -63,9 +63,18 @@ Foam::instantList Foam::selectedTimes(Time& runTime, const argList& args)
 
     if (!found)
     {
+        wordList names;
+        for (const instant& t : runTime.times())
+        {
+            if (t.name() != runTime.constant())
+            {
+                names.append(t.name());
+            }
+        }
+
         FatalErrorInFunction
             << "The case has no time " << wanted.c_str() << ". Its times: "
-            << flatOutput(runTime.times())
+            << flatOutput(names)
             << exit(FatalError);
     }
 
