@@ -341,7 +341,7 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh, dictionary& state)
         soil_->beginStep();
     }
     volumes_->begin(step_.length(), 0, 1, scalarField(), scalarField());
-    renewLagged(false);
+    renewLagged(0);
     assemble();
     setFields();
 

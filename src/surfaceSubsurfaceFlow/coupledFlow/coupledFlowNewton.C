@@ -65,9 +65,11 @@ Foam::coupledFlow::limits Foam::coupledFlow::residualLimits() const
     const scalar epsilon = std::numeric_limits<scalar>::epsilon();
     const scalar roundOff = 4*epsilon;
 
-    // Share of the water there is beyond which round-off is no excuse: the
-    // fluxes of a step of that length cannot be told from none
+    // Shares of the water there is and of what the step moves beyond which
+    // round-off is no excuse: the fluxes of a step of that length cannot be told
+    // from none, unless what they move is far more
     const scalar largestNoise = 1e-10;
+    const scalar largestNoiseMoved = 1e-6;
 
     // The sum of the residuals is the error of the balance: small also against
     // all that has come in and left so far, where that is less than what the step
@@ -115,7 +117,11 @@ Foam::coupledFlow::limits Foam::coupledFlow::residualLimits() const
     result.balance =
         tolerance_*min(margin*(totals_->crossed() + crossed), moved)
       + 2*epsilon*total;
-    result.noise = min(roundOff*(total + passing), largestNoise*total);
+    result.noise = min
+    (
+        roundOff*(total + passing),
+        max(largestNoise*total, largestNoiseMoved*moved)
+    );
     result.loss = min(result.noise, largestLoss*total);
     result.norm = single*tolerance_*moved + result.noise;
 
@@ -231,7 +237,7 @@ Foam::scalar Foam::coupledFlow::chopped
 void Foam::coupledFlow::update
 (
     const scalarField& step,
-    const bool renew,
+    const label renewal,
     const bool search,
     const bool remaining,
     scalar& leastImbalance
@@ -257,9 +263,9 @@ void Foam::coupledFlow::update
         }
 
         setStates();
-        if (renew && halving == 0)
+        if (renewal > 0 && halving == 0)
         {
-            renewLagged(true);
+            renewLagged(renewal);
         }
         assemble();
 
@@ -304,7 +310,7 @@ bool Foam::coupledFlow::iterate(const part solved)
     part_ = solved;
 
     setStates();
-    renewLagged(false);
+    renewLagged(0);
     assemble();
 
     stepPerformance& p = performance_;
@@ -442,7 +448,7 @@ bool Foam::coupledFlow::iterate(const part solved)
         update
         (
             change,
-            !small && n + 1 < nCorrectors_,
+            small ? 0 : n + 1,
             !small,
             n > nRecord + nDirect,
             leastImbalance

@@ -120,15 +120,25 @@ void Foam::coupledFlow::setStates()
 }
 
 
-void Foam::coupledFlow::renewLagged(const bool again)
+void Foam::coupledFlow::renewLagged(const label renewal)
 {
-    if (soil_ && part_ != part::runoff)
+    // The soil's part settles more slowly: it is renewed this many times as
+    // often, and after so many renewals by halves
+    const label moreOften = 2;
+    const label outright = 2;
+
+    const auto due = [&](const label most)
     {
-        soil_->renewCorrection();
+        return renewal == 0 || renewal < most;
+    };
+
+    if (soil_ && part_ != part::runoff && due(moreOften*nCorrectors_))
+    {
+        soil_->renewCorrection(renewal < outright ? 1 : 0.5);
     }
-    if (overland_ && part_ != part::soil)
+    if (overland_ && part_ != part::soil && due(nCorrectors_))
     {
-        overland_->renewSurroundings(again);
+        overland_->renewSurroundings(renewal > 0);
     }
 }
 

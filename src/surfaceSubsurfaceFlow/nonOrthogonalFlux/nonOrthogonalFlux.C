@@ -29,6 +29,11 @@ License
 namespace Foam
 {
 
+//- Where the permeabilities differ by more than this a front begins to pass,
+//  and by twice that it is one
+static const scalar front = 2;
+
+
 //- The part of a way's area off its line; round-off of the mesh's points is
 //  none
 static vector restOf(const facePaths::side& way)
@@ -141,6 +146,37 @@ void Foam::nonOrthogonalFlux::setInverse()
 }
 
 
+Foam::tmp<Foam::scalarField> Foam::nonOrthogonalFlux::mostPermeable
+(
+    const scalarField& kr,
+    const scalarField& boundaryKr
+) const
+{
+    const labelList& owner = mesh_.faceOwner();
+    const labelList& neighbour = mesh_.faceNeighbour();
+
+    auto tmost = tmp<scalarField>::New(kr);
+    scalarField& most = tmost.ref();
+
+    forAll(neighbour, facei)
+    {
+        const label own = owner[facei];
+        const label nei = neighbour[facei];
+
+        most[own] = max(most[own], kr[nei]);
+        most[nei] = max(most[nei], kr[own]);
+    }
+
+    forAll(boundaryKr, b)
+    {
+        scalar& own = most[owner[b + mesh_.nInternalFaces()]];
+        own = max(own, boundaryKr[b]);
+    }
+
+    return tmost;
+}
+
+
 Foam::tmp<Foam::vectorField> Foam::nonOrthogonalFlux::cellVelocity
 (
     const scalarField& pointFlux
@@ -197,6 +233,7 @@ Foam::nonOrthogonalFlux::nonOrthogonalFlux(const fvMesh& mesh)
     inverse_(mesh.nCells(), Zero),
     lagged_(mesh.nFaces(), Zero),
     laggedKr_(mesh.nFaces(), Zero),
+    boundShare_(mesh.nFaces(), Zero),
     bound_(mesh.nFaces(), Zero),
     correction_(mesh.nFaces(), Zero)
 {}
@@ -269,7 +306,8 @@ void Foam::nonOrthogonalFlux::update
 (
     const scalarField& pointFlux,
     const scalarField& kr,
-    const scalarField& boundaryKr
+    const scalarField& boundaryKr,
+    const scalar weight
 )
 {
     if (!active_)
@@ -281,10 +319,13 @@ void Foam::nonOrthogonalFlux::update
     const label nInternal = mesh_.nInternalFaces();
 
     const vectorField velocity(cellVelocity(pointFlux));
+    const scalarField most(mostPermeable(kr, boundaryKr));
 
     // On the other side; a boundary face has the cell's own
     vectorField otherVelocity;
+    scalarField otherMost;
     syncTools::swapBoundaryCellList(mesh_, velocity, otherVelocity);
+    syncTools::swapBoundaryCellList(mesh_, most, otherMost);
 
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
@@ -292,19 +333,12 @@ void Foam::nonOrthogonalFlux::update
         {
             forAll(patch, i)
             {
-                otherVelocity[patch.start() + i - nInternal] =
-                    velocity[patch.faceCells()[i]];
+                const label b = patch.start() + i - nInternal;
+                otherVelocity[b] = velocity[patch.faceCells()[i]];
+                otherMost[b] = most[patch.faceCells()[i]];
             }
         }
     }
-
-    const auto across = [&](const label facei) -> const vector&
-    {
-        return
-            facei < nInternal
-          ? velocity[mesh_.faceNeighbour()[facei]]
-          : otherVelocity[facei - nInternal];
-    };
 
     const auto otherKr = [&](const label facei)
     {
@@ -314,29 +348,61 @@ void Foam::nonOrthogonalFlux::update
           : boundaryKr[facei - nInternal];
     };
 
+    // The velocity that a more permeable cell beside it gives a cell is none
+    // between drier ones
+    const auto mobile = [&](const label facei, const scalar krMost)
+    {
+        const scalar krMore = max(kr[owner[facei]], otherKr(facei));
+        return min(front*krMore/krMost, scalar(1));
+    };
+
+    const auto first = [&](const label facei) -> vector
+    {
+        const label own = owner[facei];
+        return mobile(facei, most[own])*velocity[own];
+    };
+
+    const auto second = [&](const label facei) -> vector
+    {
+        if (facei < nInternal)
+        {
+            const label nei = mesh_.faceNeighbour()[facei];
+            return mobile(facei, most[nei])*velocity[nei];
+        }
+
+        const label b = facei - nInternal;
+        return mobile(facei, otherMost[b])*otherVelocity[b];
+    };
+
+    scalarField renewed(owner.size());
+
     forAll(owner, facei)
     {
-        lagged_[facei] =
-            0.5*(velocity[owner[facei]] + across(facei)) & rest_[facei];
+        renewed[facei] = 0.5*(first(facei) + second(facei)) & rest_[facei];
     }
 
     for (const change& c : changes_)
     {
         // Each side counts by its resistance
-        const scalar first = c.firstConductance*kr[owner[c.face]];
-        const scalar second = c.secondConductance*otherKr(c.face);
+        const scalar C1 = c.firstConductance*kr[owner[c.face]];
+        const scalar C2 = c.secondConductance*otherKr(c.face);
 
-        lagged_[c.face] =
-            (
-                second*(velocity[owner[c.face]] & c.first)
-              + first*(across(c.face) & c.second)
-            )/(first + second);
+        renewed[c.face] =
+            (C2*(first(c.face) & c.first) + C1*(second(c.face) & c.second))
+           /(C1 + C2);
     }
 
     forAll(owner, facei)
     {
-        laggedKr_[facei] =
-            lagged_[facei] > 0 ? kr[owner[facei]] : otherKr(facei);
+        lagged_[facei] += weight*(renewed[facei] - lagged_[facei]);
+
+        const scalar krOwner = kr[owner[facei]];
+        const scalar krOther = otherKr(facei);
+        const scalar krFront = front*min(krOwner, krOther);
+        const scalar beyond = max(krOwner, krOther) - krFront;
+
+        laggedKr_[facei] = lagged_[facei] > 0 ? krOwner : krOther;
+        boundShare_[facei] = min(max(beyond, scalar(0)), krFront)/krFront;
     }
 
     bound_ = mag(pointFlux);
@@ -351,10 +417,6 @@ void Foam::nonOrthogonalFlux::addTo
     const mobility& second
 )
 {
-    // Where the permeabilities differ by more than this a front begins to pass,
-    // and by twice that it is one: between, the bound sets in little by little
-    const scalar front = 2;
-
     const scalar lagged = lagged_[facei];
 
     if (lagged == 0)
@@ -394,26 +456,14 @@ void Foam::nonOrthogonalFlux::addTo
     }
 
     // At a front it is bounded
-    const scalar beyond =
-        min(max(value, -bound_[facei]), bound_[facei]) - value;
-
-    if (atFront && beyond != 0)
+    if (mag(value) > bound_[facei])
     {
-        const scalar share = min(more.kr - krFront, krFront)/krFront;
+        const scalar share = boundShare_[facei];
+        const scalar bound = value > 0 ? bound_[facei] : -bound_[facei];
 
+        value += share*(bound - value);
         dLess *= 1 - share;
         dMore *= 1 - share;
-
-        // Where the more permeable side loses, this derivative would weaken the
-        // diagonal of the linear system
-        if (share < 1 && fromLess)
-        {
-            const scalar slope = (share + 1)*beyond;
-            dLess -= slope*less.slope;
-            dMore += slope*more.slope;
-        }
-
-        value += share*beyond;
     }
 
     correction_[facei] = value;

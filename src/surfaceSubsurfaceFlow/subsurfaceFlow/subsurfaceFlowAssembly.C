@@ -344,8 +344,9 @@ void Foam::subsurfaceFlow::extrapolate
                 weights.first()*storageRate_[celli]
               + weights.second()*storageRateOld_[celli];
 
-            // tau is that long; a soil may hold no water that moves
-            if (mag(change) < 2*s.dStorage)
+            // A tenth of the length of tau: where the water content hardly
+            // changes with it a guess from its rate may be anywhere
+            if (mag(change) < 0.2*s.dStorage)
             {
                 const scalar to = s.tau + change/s.dStorage;
 
@@ -404,7 +405,7 @@ void Foam::subsurfaceFlow::setGround(const label facei, const scalar unknown)
 }
 
 
-void Foam::subsurfaceFlow::renewCorrection()
+void Foam::subsurfaceFlow::renewCorrection(const scalar weight)
 {
     if (!correction_.active())
     {
@@ -436,7 +437,7 @@ void Foam::subsurfaceFlow::renewCorrection()
         }
     }
 
-    correction_.update(pointFlux_, kr, boundaryKr);
+    correction_.update(pointFlux_, kr, boundaryKr, weight);
 }
 
 
