@@ -344,9 +344,8 @@ void Foam::subsurfaceFlow::extrapolate
                 weights.first()*storageRate_[celli]
               + weights.second()*storageRateOld_[celli];
 
-            // A tenth of the length of tau: where the water content hardly
-            // changes with it a guess from its rate may be anywhere
-            if (mag(change) < 0.2*s.dStorage)
+            // tau is that long; a soil may hold no water that moves
+            if (mag(change) < 2*s.dStorage)
             {
                 const scalar to = s.tau + change/s.dStorage;
 
