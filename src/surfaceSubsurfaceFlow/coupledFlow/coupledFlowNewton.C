@@ -76,6 +76,11 @@ Foam::coupledFlow::limits Foam::coupledFlow::residualLimits() const
     // moves inside
     const scalar margin = 0.25;
 
+    // And share of the water there is: the balance is judged against 1e-6 of it
+    // at least, of which this is 4e-11. Round-off of many cells is less in sum
+    // than epsilon of what they hold
+    const scalar sumRoundOff = 0.2*epsilon;
+
     // Share of the water there is that round-off of the fluxes through the
     // boundary may take from the balance
     const scalar largestLoss = 8e-15;
@@ -116,7 +121,7 @@ Foam::coupledFlow::limits Foam::coupledFlow::residualLimits() const
     limits result;
     result.balance =
         tolerance_*min(margin*(totals_->crossed() + crossed), moved)
-      + 2*epsilon*total;
+      + sumRoundOff*total;
     result.noise = min
     (
         roundOff*(total + passing),

@@ -53,8 +53,8 @@ Foam::waterBalance::waterBalance(const coupledFlow& water)
 void Foam::waterBalance::update()
 {
     // A change of storage below this share of the storage is no measure: the
-    // storage of a cell is known to 1e-16 of it, and such a change to 1e-11
-    const scalar storageShare = 1e-5;
+    // storage of a cell is known to 1e-16 of it, and such a change to 1e-10
+    const scalar storageShare = 1e-6;
 
     const waterTotals& totals = water_.totals();
     const waterVolumes& sum = totals.sum();
