@@ -67,7 +67,8 @@ Foam::coupledFlow::limits Foam::coupledFlow::residualLimits() const
 
     // Shares of the water there is and of what the step moves beyond which
     // round-off is no excuse: the fluxes of a step of that length cannot be told
-    // from none, unless what they move is far more
+    // from none, unless what they move is far more. No more is moved than has
+    // crossed the boundary so far: a trial that goes astray moves anything
     const scalar largestNoise = 1e-10;
     const scalar largestNoiseMoved = 1e-6;
 
@@ -125,7 +126,11 @@ Foam::coupledFlow::limits Foam::coupledFlow::residualLimits() const
     result.noise = min
     (
         roundOff*(total + passing),
-        max(largestNoise*total, largestNoiseMoved*moved)
+        max
+        (
+            largestNoise*total,
+            largestNoiseMoved*min(moved, totals_->crossed())
+        )
     );
     result.loss = min(result.noise, largestLoss*total);
     result.norm = single*tolerance_*moved + result.noise;
