@@ -59,7 +59,7 @@ plot rows("time rain", water) using (hours($1)):(rate($1, $2)) \
          title "surface outflow"
 
 if (panels == 3) {
-    set format y "%.2f"
+    set format y "%.4g"
     set ylabel "safety factor"
     set yrange [*:*]
     set key top right
