@@ -171,45 +171,12 @@ Foam::tmp<Foam::scalarField> Foam::coupledFlow::initialHeads() const
 Foam::coupledFlow::coupledFlow(fvMesh& mesh, dictionary& state)
 :
     mesh_(mesh),
-    controls_(mesh.solutionDict().subOrEmptyDict("overlandRichards")),
+    controlDict_(mesh.solutionDict().subOrEmptyDict("overlandRichards")),
+    controls_(controlDict_),
     solver_
     (
         mesh.solutionDict().subOrEmptyDict("solvers").subOrEmptyDict("water")
     ),
-    maxIterations_
-    (
-        readCheckedOrDefault
-        (
-            controls_,
-            "maxIterations",
-            60,
-            [](const scalar n) { return n >= 1; },
-            ">= 1"
-        )
-    ),
-    tolerance_
-    (
-        readCheckedOrDefault
-        (
-            controls_,
-            "tolerance",
-            1e-10,
-            [](const scalar e) { return e > 0 && e < 1; },
-            "0 < tolerance < 1"
-        )
-    ),
-    nCorrectors_
-    (
-        readCheckedOrDefault
-        (
-            controls_,
-            "nNonOrthogonalCorrectors",
-            3,
-            [](const scalar n) { return n >= 0; },
-            ">= 0"
-        )
-    ),
-    nCouplings_(readCoupling(controls_)),
     ground_(mesh, upward(mesh.time())),
     overland_(),
     soil_(),
@@ -219,7 +186,7 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh, dictionary& state)
     lduMesh_(),
     volumes_(),
     matrix_(),
-    scheme_(timeScheme::New(controls_)),
+    scheme_(timeScheme::New(controlDict_)),
     history_(),
     start_(0),
     unknowns_(),
@@ -235,15 +202,10 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh, dictionary& state)
     step_(),
     performance_()
 {
-    checkKeys
-    (
-        controls_,
-        {
-            "maxIterations", "tolerance", "nNonOrthogonalCorrectors",
-            "coupling", "nCouplingIterations", "faceFlux", "timeScheme"
-        },
-        {"timeStep", "steady"}
-    );
+    wordList keys(coupledFlowControls::keys());
+    keys.append("faceFlux");
+    keys.append("timeScheme");
+    checkKeys(controlDict_, keys, {"timeStep", "steady"});
 
     if (given(mesh, "overlandProperties"))
     {
@@ -254,7 +216,7 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh, dictionary& state)
 
     if (given(mesh, "soilProperties"))
     {
-        soil_.reset(new subsurfaceFlow(mesh, ground_.up(), controls_));
+        soil_.reset(new subsurfaceFlow(mesh, ground_.up(), controlDict_));
         checkGround();
         addRainPatches();
         start_ = soil_->size();

@@ -114,14 +114,22 @@ Foam::coupledFlow::limits Foam::coupledFlow::residualLimits() const
     Pstream::listCombineGather(volumes, plusEqOp<scalar>());
     Pstream::listCombineScatter(volumes);
 
-    // No more infiltrates than there is: in a trial that goes astray faces of the
-    // ground have any flux, and would make its residuals look small
+    // No more infiltrates than there is, and a step does not exchange the water
+    // more often than this: a trial that goes astray has fluxes of any size, which
+    // would make its residuals look small
+    const scalar exchanges = 100;
+
+    const scalar most =
+        exchanges
+       *(totals_->initialStorage() + totals_->crossed() + water_->rain());
+
+    crossed = min(crossed, most);
     const scalar moved =
-        crossed + changed + min(infiltrated, crossed + total);
+        min(crossed + changed + min(infiltrated, crossed + total), most);
 
     limits result;
     result.balance =
-        tolerance_*min(margin*(totals_->crossed() + crossed), moved)
+        controls_.tolerance*min(margin*(totals_->crossed() + crossed), moved)
       + sumRoundOff*total;
     result.noise = min
     (
@@ -133,7 +141,7 @@ Foam::coupledFlow::limits Foam::coupledFlow::residualLimits() const
         )
     );
     result.loss = min(result.noise, largestLoss*total);
-    result.norm = single*tolerance_*moved + result.noise;
+    result.norm = single*controls_.tolerance*moved + result.noise;
 
     return result;
 }
@@ -249,14 +257,14 @@ void Foam::coupledFlow::update
     const scalarField& step,
     const label renewal,
     const bool search,
-    const bool remaining,
-    scalar& leastImbalance
+    newtonProgress& progress
 )
 {
     const label maxHalvings = search ? 6 : 0;
 
     const scalarField from(unknowns_);
     const scalar norm = matrix_->norm();
+    const bool remaining = progress.circles();
     scalar fraction = 1;
 
     // By which residuals may grow whose sum is less than ever
@@ -281,9 +289,7 @@ void Foam::coupledFlow::update
 
         // While a column fills residuals of both signs may grow, and their sum
         // falls. It falls for good: else two states could follow one another
-        const scalar imbalance = this->imbalance();
-        const bool record = (imbalance < leastImbalance);
-        leastImbalance = min(leastImbalance, imbalance);
+        const bool record = progress.record(imbalance());
 
         if (matrix_->norm() < (record ? growth : 1)*norm)
         {
@@ -308,15 +314,6 @@ bool Foam::coupledFlow::iterate(const part solved)
     const scalar toleratedAtLast = 100;
     const label nRest = 2;
 
-    // Iterations without a smaller imbalance, in which states of the ground may
-    // follow one another in a circle: half a step far beyond a bend ends at the
-    // same bend again
-    const label nDirect = 20;
-
-    // Share of the imbalance whose loss is worth more iterations: where a front
-    // passes many cells in a step they fill one after the other
-    const scalar worth = 0.5;
-
     part_ = solved;
 
     setStates();
@@ -328,13 +325,7 @@ bool Foam::coupledFlow::iterate(const part solved)
     scalar norm = matrix_->norm();
     scalar previousNorm = GREAT;
 
-    // Iterations that are allowed, and the imbalance when they were
-    label nAllowed = maxIterations_;
-    scalar allowedFrom = imbalance();
-    scalar leastImbalance = allowedFrom;
-
-    // The iteration that had it
-    label nRecord = 0;
+    newtonProgress progress(controls_.maxIterations, imbalance());
 
     // The latest iteration started from a small residual, and from where
     bool polished = false;
@@ -346,7 +337,9 @@ bool Foam::coupledFlow::iterate(const part solved)
     struct
     {
         scalarField unknowns;
+        scalar norm = 0;
         scalar imbalance = 0;
+        limits limit;
     } rest;
 
     if (p.iterations == 0)
@@ -358,15 +351,18 @@ bool Foam::coupledFlow::iterate(const part solved)
     {
         const limits limit(residualLimits());
 
-        p.finalResidual = norm;
-        p.limit = limit.norm;
-
         const bool small = (norm <= limit.norm);
         const scalar imbalance = this->imbalance();
-        p.imbalance = imbalance;
-        p.imbalanceLimit = limit.balance;
 
+        // The state before the latest iteration is the better one. It is held to
+        // its own limits
         const bool restBetter = polished && rest.imbalance < imbalance;
+        const limits& taken = restBetter ? rest.limit : limit;
+
+        p.finalResidual = restBetter ? rest.norm : norm;
+        p.limit = taken.norm;
+        p.imbalance = restBetter ? rest.imbalance : imbalance;
+        p.imbalanceLimit = taken.balance;
 
         // Nothing but round-off seems to be left
         const bool atRest =
@@ -376,19 +372,19 @@ bool Foam::coupledFlow::iterate(const part solved)
              && norm > ceased*previousNorm
             );
 
-        scalar restLimit = tolerated*limit.balance;
+        scalar restLimit = tolerated*taken.balance;
         if (atRest && nAtRest++ >= nRest)
         {
             restLimit = min
             (
-                restLimit + (limit.norm - limit.noise)/single + limit.loss,
-                toleratedAtLast*limit.balance
+                restLimit + (taken.norm - taken.noise)/single + taken.loss,
+                toleratedAtLast*taken.balance
             );
         }
 
         p.converged =
             (small && imbalance <= limit.balance)
-         || (atRest && (restBetter ? rest.imbalance : imbalance) <= restLimit);
+         || (atRest && p.imbalance <= restLimit);
 
         if (p.converged && restBetter)
         {
@@ -403,13 +399,9 @@ bool Foam::coupledFlow::iterate(const part solved)
             p.converged = !p.dried;
         }
 
-        if (n >= nAllowed && imbalance < worth*allowedFrom)
-        {
-            nAllowed += maxIterations_;
-            allowedFrom = imbalance;
-        }
+        progress.begin(n, norm, imbalance);
 
-        if (p.converged || p.dried || n >= nAllowed || !(norm < GREAT))
+        if (p.converged || p.dried || progress.hopeless() || !(norm < GREAT))
         {
             return p.converged;
         }
@@ -429,7 +421,7 @@ bool Foam::coupledFlow::iterate(const part solved)
 
             if
             (
-                (!finite || n > nRecord + nDirect)
+                (!finite || progress.circles())
              && !triedWet && part_ != part::runoff
             )
             {
@@ -452,21 +444,11 @@ bool Foam::coupledFlow::iterate(const part solved)
         if (small)
         {
             rest.unknowns = unknowns_;
+            rest.norm = norm;
             rest.imbalance = imbalance;
+            rest.limit = limit;
         }
-        const scalar least = leastImbalance;
-        update
-        (
-            change,
-            small ? 0 : n + 1,
-            !small,
-            n > nRecord + nDirect,
-            leastImbalance
-        );
-        if (leastImbalance < least)
-        {
-            nRecord = n;
-        }
+        update(change, small ? 0 : n + 1, !small, progress);
 
         previousNorm = norm;
         norm = matrix_->norm();

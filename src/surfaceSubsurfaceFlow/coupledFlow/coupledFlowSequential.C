@@ -21,42 +21,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "coupledFlow.H"
-#include "readChecked.H"
-
-#include <cmath>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::label Foam::coupledFlow::readCoupling(const dictionary& controls)
-{
-    const word coupling
-    (
-        controls.lookupOrDefault<word>("coupling", "simultaneous")
-    );
-
-    if (coupling == "simultaneous")
-    {
-        return 0;
-    }
-
-    if (coupling != "sequential")
-    {
-        FatalIOErrorInFunction(controls)
-            << "Unknown coupling " << coupling
-            << "; valid are simultaneous and sequential"
-            << exit(FatalIOError);
-    }
-
-    return readCheckedOrDefault
-    (
-        controls,
-        "nCouplingIterations",
-        1,
-        [](const scalar n) { return n >= 1 && n == std::floor(n); },
-        "a whole number >= 1"
-    );
-}
-
 
 void Foam::coupledFlow::assemblePart()
 {
@@ -131,7 +97,7 @@ bool Foam::coupledFlow::solveSequential()
 
     scalarField exchange(ground_.size(), Zero);
 
-    for (label n = 0; n < nCouplings_; ++n)
+    for (label n = 0; n < controls_.nCouplings; ++n)
     {
         if (!iterate(part::soil))
         {

@@ -123,20 +123,29 @@ void Foam::coupledFlow::setStates()
 void Foam::coupledFlow::renewLagged(const label renewal)
 {
     // The soil's part settles more slowly: it is renewed this many times as
-    // often, and after so many renewals by halves
+    // often at most, and after so many renewals by halves
     const label moreOften = 2;
     const label outright = 2;
+
+    const label n = controls_.nNonOrthogonalCorrectors;
 
     const auto due = [&](const label most)
     {
         return renewal == 0 || renewal < most;
     };
 
-    if (soil_ && part_ != part::runoff && due(moreOften*nCorrectors_))
+    if
+    (
+        soil_ && part_ != part::runoff && due(moreOften*n)
+     && (
+            renewal < outright
+         || soil_->unsettled() > controls_.nonOrthogonalTolerance
+        )
+    )
     {
         soil_->renewCorrection(renewal < outright ? 1 : 0.5);
     }
-    if (overland_ && part_ != part::soil && due(nCorrectors_))
+    if (overland_ && part_ != part::soil && due(n))
     {
         overland_->renewSurroundings(renewal > 0);
     }
@@ -197,7 +206,7 @@ bool Foam::coupledFlow::solve(const stepTrial& step)
 {
     beginStep(step);
 
-    if (nCouplings_ > 0 && soil_ && overland_)
+    if (controls_.nCouplings > 0 && soil_ && overland_)
     {
         return solveSequential();
     }

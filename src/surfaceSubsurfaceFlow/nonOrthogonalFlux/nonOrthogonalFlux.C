@@ -235,7 +235,8 @@ Foam::nonOrthogonalFlux::nonOrthogonalFlux(const fvMesh& mesh)
     laggedKr_(mesh.nFaces(), Zero),
     boundShare_(mesh.nFaces(), Zero),
     bound_(mesh.nFaces(), Zero),
-    correction_(mesh.nFaces(), Zero)
+    correction_(mesh.nFaces(), Zero),
+    unsettled_(0)
 {}
 
 
@@ -392,9 +393,17 @@ void Foam::nonOrthogonalFlux::update
            /(C1 + C2);
     }
 
+    // Of all faces: how much that changes, and what passes
+    scalarList sums(2, Zero);
+
     forAll(owner, facei)
     {
-        lagged_[facei] += weight*(renewed[facei] - lagged_[facei]);
+        const scalar difference = renewed[facei] - lagged_[facei];
+
+        sums[0] += mag(difference);
+        sums[1] += mag(pointFlux[facei]);
+
+        lagged_[facei] += weight*difference;
 
         const scalar krOwner = kr[owner[facei]];
         const scalar krOther = otherKr(facei);
@@ -406,6 +415,10 @@ void Foam::nonOrthogonalFlux::update
     }
 
     bound_ = mag(pointFlux);
+
+    Pstream::listCombineGather(sums, plusEqOp<scalar>());
+    Pstream::listCombineScatter(sums);
+    unsettled_ = sums[0]/max(sums[1], VSMALL);
 }
 
 

@@ -436,7 +436,7 @@ void Foam::timeStepControl::checkPace(const coupledFlow& water)
         return;
     }
 
-    const scalar rest = nextEvent_ - end;
+    const scalar rest = runTime_.endTime().value() - end;
     const scalar needed = nPaced_*rest/(end - pacedFrom_);
 
     if (mostIterations_ > 0 && needed > mostIterations_)
@@ -444,7 +444,7 @@ void Foam::timeStepControl::checkPace(const coupledFlow& water)
         OStringStream why;
         why << "No end in reach from t = " << end << " s: " << nPaced_
             << " iterations brought " << end - pacedFrom_ << " s, and the "
-            << rest << " s to the next output or change of rain would take "
+            << rest << " s to the end would take "
             << needed << ", more than mostIterations = " << mostIterations_
             << ". Where the state changes most";
         water.stopRun(string(why.str()));
