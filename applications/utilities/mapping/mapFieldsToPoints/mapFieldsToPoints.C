@@ -68,6 +68,7 @@ Usage
 #include "pointSetWriter.H"
 #include "pointSource.H"
 #include "pointTable.H"
+#include "readChecked.H"
 #include "selectedTimes.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -174,6 +175,12 @@ int main(int argc, char *argv[])
     const word dictName("mapFieldsToPointsDict");
     #include "setSystemMeshDictionaryIO.H"
     const IOdictionary dict(dictIO);
+    checkKeys
+    (
+        dict,
+        {"fields", "outside", "format"},
+        {"points", "outsideValues"}
+    );
 
     const wordList fieldNames(dict.get<wordList>("fields"));
     const outsidePolicy policy(dict);

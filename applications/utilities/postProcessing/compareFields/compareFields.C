@@ -61,6 +61,7 @@ Usage
 #include "faMesh.H"
 #include "areaFields.H"
 #include "fieldTolerance.H"
+#include "readChecked.H"
 #include "selectedTimes.H"
 #include "storedField.H"
 
@@ -422,6 +423,8 @@ int main(int argc, char *argv[])
     #include "createTime.H"
 
     const IOdictionary dict(readDictionary(args, runTime));
+    checkKeys(dict, {"reference"}, {"fields"});
+
     const fileName reference(readReference(args, dict, runTime));
     const HashTable<fieldTolerance> tolerances(readTolerances(args, dict));
     const instantList times(comparedTimes(args, runTime));
