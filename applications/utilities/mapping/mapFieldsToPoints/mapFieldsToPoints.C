@@ -179,7 +179,7 @@ int main(int argc, char *argv[])
     (
         dict,
         {"fields", "outside", "format"},
-        {"points", "outsideValues"}
+        {"FoamFile", "points", "outsideValues"}
     );
 
     const wordList fieldNames(dict.get<wordList>("fields"));

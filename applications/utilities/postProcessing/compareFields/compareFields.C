@@ -423,7 +423,7 @@ int main(int argc, char *argv[])
     #include "createTime.H"
 
     const IOdictionary dict(readDictionary(args, runTime));
-    checkKeys(dict, {"reference"}, {"fields"});
+    checkKeys(dict, {"reference"}, {"FoamFile", "fields"});
 
     const fileName reference(readReference(args, dict, runTime));
     const HashTable<fieldTolerance> tolerances(readTolerances(args, dict));
