@@ -133,6 +133,7 @@ bool solve
         if (!std::isfinite(largest)) return false;
         ++iterations;
 
+        // Many halvings: where a cell fills, dK/dh has no bound
         double part = 1;
         Column::State trial;
         for (int halving = 0; ; ++halving, part *= 0.5)
@@ -141,7 +142,7 @@ bool solve
             for (int i = 0; i < n; ++i) trial.h[i] += part*change[i];
             column.evaluate(trial, nullptr);
             if (norm(trial) < before || largest < 1e-9) break;
-            if (halving == 8) return false;
+            if (halving == 20) return false;
         }
         state = trial;
         if (part == 1 && largest < 1e-9) return true;

@@ -26,7 +26,7 @@ Description
 
 #include <doctest/doctest.h>
 
-#include "IStringStream.H"
+#include "dictionaryOf.H"
 #include "overlandFlowModel.H"
 #include "surfaceOutlet.H"
 
@@ -46,11 +46,6 @@ using Foam::vector2D;
 
 namespace
 {
-    dictionary dictionaryOf(const std::string& text)
-    {
-        return dictionary(Foam::IStringStream(text)());
-    }
-
     //- An edge of 3 m between two faces 2 m apart in x, whose bed falls
     //  towards it on the first side
     planGeometry::edgePlan straightEdge(const scalar fall = 0)
