@@ -21,6 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "mappingSection.H"
+#include "readChecked.H"
 #include "IOstreams.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -78,7 +79,7 @@ Foam::mappingSection::mappingSection
 
 Foam::mappingSection::mappingSection(const dictionary& dict, const vector& g)
 :
-    origin_(dict.get<point>("origin")),
+    origin_(checkKeys(dict, {"origin", "direction"}).get<point>("origin")),
     xAxis_(Zero),
     yAxis_(Zero),
     normal_(Zero)

@@ -24,6 +24,7 @@ License
 #include "addToRunTimeSelectionTable.H"
 #include "IFstream.H"
 #include "polyMesh.H"
+#include "readChecked.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -45,7 +46,7 @@ Foam::pointSources::cloudPointSource::cloudPointSource
     const dictionary& dict
 )
 :
-    dict_(dict)
+    dict_(checkKeys(dict, {"type", "points", "file"}))
 {
     if (dict_.found("points") == dict_.found("file"))
     {

@@ -23,6 +23,7 @@ License
 #include "sectionPointSource.H"
 #include "addToRunTimeSelectionTable.H"
 #include "meshPointLocator.H"
+#include "readChecked.H"
 #include "Time.H"
 #include "uniformDimensionedFields.H"
 
@@ -45,7 +46,15 @@ Foam::pointSources::sectionPointSource::sectionPointSource
     const dictionary& dict
 )
 :
-    dict_(dict)
+    dict_
+    (
+        checkKeys
+        (
+            dict,
+            {"type", "spacing", "xLimits", "yLimits"},
+            {"section"}
+        )
+    )
 {}
 
 
