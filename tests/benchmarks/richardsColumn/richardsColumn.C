@@ -133,13 +133,18 @@ bool solve
         if (!std::isfinite(largest)) return false;
         ++iterations;
 
-        // Many halvings: where a cell fills, dK/dh has no bound
+        // Where a cell fills, dK/dh has no bound: it stops there on its way, and
+        // many halvings are allowed
         double part = 1;
         Column::State trial;
         for (int halving = 0; ; ++halving, part *= 0.5)
         {
             trial.h = state.h;
-            for (int i = 0; i < n; ++i) trial.h[i] += part*change[i];
+            for (int i = 0; i < n; ++i)
+            {
+                trial.h[i] += part*change[i];
+                if (state.h[i] < 0) trial.h[i] = std::min(trial.h[i], 0.0);
+            }
             column.evaluate(trial, nullptr);
             if (norm(trial) < before || largest < 1e-9) break;
             if (halving == 20) return false;
