@@ -21,6 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "asciiGrid.H"
+#include "byteOrderMark.H"
 #include "HashTable.H"
 #include "stringOps.H"
 
@@ -40,6 +41,8 @@ Foam::asciiGrid::asciiGrid(const fileName& file, const dictionary& dict)
             << "Cannot open the grid 'file' = " << file_
             << exit(FatalIOError);
     }
+
+    skipByteOrderMark(is);
 
     // Header: pairs of a key and a number until the first line of numbers
     HashTable<scalar> header;

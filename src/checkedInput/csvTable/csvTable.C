@@ -22,8 +22,10 @@ License
 
 #include "csvTable.H"
 #include "argList.H"
+#include "byteOrderMark.H"
 #include "DynamicList.H"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -40,6 +42,20 @@ Foam::fileName Foam::caseFile(const fileName& name)
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+char Foam::csvTable::separatorOf(const std::string& line)
+{
+    for (const char separator : {';', '\t'})
+    {
+        if (line.find(separator) != std::string::npos)
+        {
+            return separator;
+        }
+    }
+
+    return ',';
+}
+
 
 Foam::stringList Foam::csvTable::fields
 (
@@ -82,8 +98,11 @@ Foam::stringList Foam::csvTable::fields
 }
 
 
-bool Foam::csvTable::parse(const string& text, scalar& value)
+bool Foam::csvTable::parse(string text, scalar& value)
 {
+    // Where a comma does not separate fields it stands for the decimal point
+    std::replace(text.begin(), text.end(), ',', '.');
+
     // Unlike OpenFOAM's own reading this raises no floating-point exception
     // for nan and the like
     const char* const end = text.data() + text.size();
@@ -107,9 +126,10 @@ Foam::csvTable::csvTable(const dictionary& dict)
     rows_(),
     lines_()
 {
-    const string separator(dict.getOrDefault<string>("separator", ","));
+    // If it is not given the names of the columns show it
+    string separator;
 
-    if (separator.size() != 1)
+    if (dict.readIfPresent("separator", separator) && separator.size() != 1)
     {
         FatalIOErrorInFunction(dict)
             << "Entry 'separator' is \"" << separator.c_str()
@@ -124,6 +144,8 @@ Foam::csvTable::csvTable(const dictionary& dict)
             << "Cannot open the file " << file_ << exit(FatalIOError);
     }
 
+    skipByteOrderMark(is);
+
     DynamicList<stringList> rows;
     DynamicList<label> lines;
     std::string line;
@@ -135,6 +157,11 @@ Foam::csvTable::csvTable(const dictionary& dict)
         if (first == std::string::npos || line[first] == '#')
         {
             continue;
+        }
+
+        if (separator.empty())
+        {
+            separator.push_back(separatorOf(line));
         }
 
         const stringList row(fields(line, separator[0]));

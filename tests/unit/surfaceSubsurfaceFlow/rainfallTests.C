@@ -29,7 +29,6 @@ Description
 #include "hyetograph.H"
 #include "uniformRain.H"
 #include "planOverlap.H"
-#include "asciiGrid.H"
 
 #include <fstream>
 #include <string>
@@ -343,58 +342,6 @@ TEST_CASE("Overlap of a polygon and a rectangle")
         }
     }
     CHECK(sum == Approx(12).epsilon(1e-12));
-}
-
-
-TEST_CASE("An ESRI ASCII grid")
-{
-    const auto grid = [](const std::string& text)
-    {
-        std::ofstream("grid.asc") << text;
-        return Foam::asciiGrid("grid.asc", dictionary());
-    };
-
-    const Foam::asciiGrid g
-    (
-        grid
-        (
-            "ncols 3\nnrows 2\nXLLCORNER 100\nYLLCORNER 50\ncellsize 10\n"
-            "NODATA_value -1\n1 2 3\n4 -1 6\n"
-        )
-    );
-
-    CHECK(g.east() == 130);
-    CHECK(g.north() == 70);
-
-    // The last line is the south
-    CHECK(g.value(g.cell(0, 0)) == 4);
-    CHECK(g.value(g.cell(1, 2)) == 3);
-    CHECK_FALSE(g.hasData(g.cell(0, 1)));
-    CHECK
-    (
-        g.matches
-        (
-            grid
-            (
-                "ncols 3\nnrows 2\nxllcenter 105\nyllcenter 55\ncellsize 10\n"
-                "1 2 3\n4 5 6\n"
-            )
-        )
-    );
-
-    for
-    (
-        const std::string bad :
-        {
-            "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\n1 2 3\n4 5 6\n",
-            "ncols 3\nnrows 2\nxllcorner 0\ncellsize 10\n1 2 3\n4 5 6\n",
-            "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 10\n"
-            "1 2 3\n4 5\n"
-        }
-    )
-    {
-        CHECK_THROWS_AS(grid(bad), Foam::IOerror);
-    }
 }
 
 // ************************************************************************* //
