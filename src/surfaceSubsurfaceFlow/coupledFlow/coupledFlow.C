@@ -325,7 +325,12 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh, dictionary& state)
 
     totals_.reset
     (
-        new waterTotals(subsurfaceStorage() + surfaceStorage(), state)
+        new waterTotals
+        (
+            subsurfaceStorage() + surfaceStorage(),
+            storageScale(),
+            state
+        )
     );
 
     times_.assignAll(workTimes::setUp);
@@ -360,6 +365,12 @@ Foam::scalar Foam::coupledFlow::subsurfaceStorage() const
 Foam::scalar Foam::coupledFlow::surfaceStorage() const
 {
     return water_->storage();
+}
+
+
+Foam::scalar Foam::coupledFlow::storageScale() const
+{
+    return surfaceStorage() + (soil_ ? soil_->storageScale() : 0);
 }
 
 

@@ -121,7 +121,7 @@ Foam::coupledFlow::limits Foam::coupledFlow::residualLimits() const
 
     const scalar most =
         exchanges
-       *(totals_->initialStorage() + totals_->crossed() + water_->rain());
+       *(totals_->initialScale() + totals_->crossed() + water_->rain());
 
     crossed = min(crossed, most);
     const scalar moved =

@@ -313,7 +313,7 @@ void Foam::coupledFlow::forgetSteps()
     volumes_->end();
     leftOver_ = Zero;
     keptRemainder_->keep(leftOver_);
-    totals_->forget(subsurfaceStorage() + surfaceStorage());
+    totals_->forget(subsurfaceStorage() + surfaceStorage(), storageScale());
 
     if (history_)
     {

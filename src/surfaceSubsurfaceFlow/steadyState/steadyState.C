@@ -83,8 +83,7 @@ bool Foam::steadyState::isSteady()
         change_ <= tolerance_
      || (
             step_.length() >= longestStep
-         && changed
-         <= tolerance_*(water_.surfaceStorage() + water_.subsurfaceStorage())
+         && changed <= tolerance_*water_.storageScale()
         );
 }
 

@@ -353,7 +353,7 @@ void Foam::subsurfaceFlow::addMoved
     changed += changedStorage();
     forAll(cellStates_, celli)
     {
-        total += V[celli]*cellStates_[celli].storage;
+        total += V[celli]*mag(cellStates_[celli].storage);
     }
 
     for (const polyPatch& patch : mesh_.boundaryMesh())
@@ -383,6 +383,20 @@ Foam::scalar Foam::subsurfaceFlow::storage() const
         const scalar next = sum + part;
         lost = (next - sum) - part;
         sum = next;
+    }
+
+    return returnReduce(sum, sumOp<scalar>());
+}
+
+
+Foam::scalar Foam::subsurfaceFlow::storageScale() const
+{
+    const scalarField& V = mesh_.V();
+    scalar sum = 0;
+
+    forAll(cellStates_, celli)
+    {
+        sum += V[celli]*mag(cellStates_[celli].storage);
     }
 
     return returnReduce(sum, sumOp<scalar>());

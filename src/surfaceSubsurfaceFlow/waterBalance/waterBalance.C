@@ -69,7 +69,7 @@ void Foam::waterBalance::update()
     const scalar scale = max
     (
         max(sum.inflow(), sum.outflow()),
-        max(mag(sum.gain), storageShare*totals.initialStorage())
+        max(mag(sum.gain), storageShare*water_.storageScale())
     );
     const scalar relativeError = mag(error)/max(scale, VSMALL);
 

@@ -29,6 +29,7 @@ void Foam::waterTotals::keep()
 {
     dictionary kept;
     restartState::set(kept, "initialStorage", initialStorage_);
+    restartState::set(kept, "initialScale", initialScale_);
     waterVolumes::forAllVolumes
     (
         sum_,
@@ -44,10 +45,16 @@ void Foam::waterTotals::keep()
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::waterTotals::waterTotals(const scalar storage, dictionary& state)
+Foam::waterTotals::waterTotals
+(
+    const scalar storage,
+    const scalar scale,
+    dictionary& state
+)
 :
     state_(state),
     initialStorage_(storage),
+    initialScale_(scale),
     sum_()
 {
     // Part of the storage beyond which it is not the one that the last run ended
@@ -57,6 +64,7 @@ Foam::waterTotals::waterTotals(const scalar storage, dictionary& state)
     const dictionary kept(state.subOrEmptyDict("waterBalance"));
 
     kept.readIfPresent("initialStorage", initialStorage_);
+    kept.readIfPresent("initialScale", initialScale_);
     waterVolumes::forAllVolumes
     (
         sum_,
@@ -66,7 +74,7 @@ Foam::waterTotals::waterTotals(const scalar storage, dictionary& state)
         }
     );
 
-    if (mag(initialStorage_ + sum_.gain - storage) > roundOff*storage)
+    if (mag(initialStorage_ + sum_.gain - storage) > roundOff*scale)
     {
         sum_.gain = storage - initialStorage_;
     }
@@ -84,9 +92,10 @@ void Foam::waterTotals::add(const waterVolumes& step)
 }
 
 
-void Foam::waterTotals::forget(const scalar storage)
+void Foam::waterTotals::forget(const scalar storage, const scalar scale)
 {
     initialStorage_ = storage;
+    initialScale_ = scale;
     sum_ = waterVolumes();
     state_.remove("waterBalance");
 }
