@@ -26,6 +26,9 @@ License
 
 Foam::string Foam::coupledFlow::place(const label unknown) const
 {
+    // 1e6 kPa [m]
+    const scalar ovenDry = -1e5;
+
     OStringStream os;
 
     if (unknown >= start_)
@@ -45,6 +48,11 @@ Foam::string Foam::coupledFlow::place(const label unknown) const
         os  << "cell " << unknown << " at " << mesh_.cellCentres()[unknown]
             << ", soil " << soil_->soilName(unknown) << ", pressure head "
             << soil_->cellState(unknown).head << " m";
+
+        if (soil_->cellState(unknown).head < ovenDry)
+        {
+            os  << " (oven-dry: is more drawn from there than it holds?)";
+        }
     }
 
     return os.str();
