@@ -62,7 +62,11 @@ double multiplyAndAdd()
     mpm::Lanes chain[nChains];
     for (int i = 0; i < nChains; ++i)
     {
-        chain[i] = mpm::Lanes(1.0 + i);
+        // All of them differ: what is the same is computed once
+        chain[i] = mpm::Lanes::each
+        (
+            [i](const int lane) { return 1.0 + i + 0.1*lane; }
+        );
     }
     const mpm::Lanes a(0.999999), b(1e-6);
     for (long s = 0; s < steps; ++s)
