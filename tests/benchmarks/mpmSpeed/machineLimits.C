@@ -56,13 +56,17 @@ double rate(const Work& work)
 
 double multiplyAndAdd()
 {
-    // Enough of them to hide the time until a result is there
+    // Enough of them to hide the time until a result is there, and no more than
+    // there are registers
+#ifdef __AVX512F__
     constexpr int nChains = 12;
+#else
+    constexpr int nChains = 6;
+#endif
     constexpr long steps = 4000000;
     mpm::Lanes chain[nChains];
     for (int i = 0; i < nChains; ++i)
     {
-        // All of them differ: what is the same is computed once
         chain[i] = mpm::Lanes::each
         (
             [i](const int lane) { return 1.0 + i + 0.1*lane; }
@@ -79,10 +83,13 @@ double multiplyAndAdd()
     double sum = 0;
     for (const mpm::Lanes& c : chain)
     {
-        sum += c[0];
+        for (int lane = 0; lane < mpm::laneCount; ++lane)
+        {
+            sum += c[lane];
+        }
     }
 
-    // The sum is used, so that the loop is not left out
+    // Each lane is another one and is used: the compiler leaves nothing out
     return sum > 0 ? 2.0*mpm::laneCount*nChains*steps : 0;
 }
 
