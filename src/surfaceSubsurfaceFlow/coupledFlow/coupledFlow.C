@@ -307,6 +307,10 @@ Foam::coupledFlow::coupledFlow(fvMesh& mesh, dictionary& state)
     assemble();
     setFields();
 
+    if (soil_)
+    {
+        soil_->initialiseFluxes();
+    }
     if (scheme_->order() > 1)
     {
         history_.reset

@@ -230,6 +230,7 @@ Foam::nonOrthogonalFlux::nonOrthogonalFlux(const fvMesh& mesh)
     direction_(mesh.nFaces(), Zero),
     changes_(),
     active_(false),
+    changesSoil_(false),
     inverse_(mesh.nCells(), Zero),
     lagged_(mesh.nFaces(), Zero),
     laggedKr_(mesh.nFaces(), Zero),
@@ -292,12 +293,14 @@ void Foam::nonOrthogonalFlux::setGeometry
         }
     }
 
-    active_ = gMax(mag(rest_)()) > 0;
+    changesSoil_ = false;
     for (const change& c : changes_)
     {
-        active_ = active_ || mag(c.first) > 0 || mag(c.second) > 0;
+        changesSoil_ = changesSoil_ || mag(c.first) > 0 || mag(c.second) > 0;
     }
-    reduce(active_, orOp<bool>());
+    reduce(changesSoil_, orOp<bool>());
+
+    active_ = changesSoil_ || gMax(mag(rest_)()) > 0;
 
     setInverse();
 }
@@ -403,7 +406,9 @@ void Foam::nonOrthogonalFlux::update
         sums[0] += mag(difference);
         sums[1] += mag(pointFlux[facei]);
 
-        lagged_[facei] += weight*difference;
+        // Without round-off of what was, which a restart does not know
+        lagged_[facei] =
+            weight < 1 ? lagged_[facei] + weight*difference : renewed[facei];
 
         const scalar krOwner = kr[owner[facei]];
         const scalar krOther = otherKr(facei);

@@ -153,6 +153,8 @@ Foam::subsurfaceFlow::subsurfaceFlow
     saturatedOld_(mesh.nCells()),
     faceFlux_(mesh.nFaces(), Zero),
     pointFlux_(mesh.nFaces(), Zero),
+    pointHistory_(),
+    obliqueHistory_(),
     fluxScale_(0)
 {
     forAll(tables_, soili)
@@ -163,6 +165,17 @@ Foam::subsurfaceFlow::subsurfaceFlow
     checkHeads();
     readConditions();
     makeConnections();
+
+    const dimensionSet dimensions(dimVolume/dimTime);
+
+    if (correction_.active())
+    {
+        pointHistory_.reset(new faceHistory("pointFlux", dimensions, mesh));
+    }
+    if (correction_.changesSoil())
+    {
+        obliqueHistory_.reset(new faceHistory("obliqueFlux", dimensions, mesh));
+    }
 }
 
 
@@ -340,6 +353,20 @@ Foam::scalar Foam::subsurfaceFlow::gainedStorage() const
 }
 
 
+Foam::scalar Foam::subsurfaceFlow::storageMagnitude() const
+{
+    const scalarField& V = mesh_.V();
+
+    scalar sum = 0;
+    forAll(cellStates_, celli)
+    {
+        sum += V[celli]*mag(cellStates_[celli].storage);
+    }
+
+    return sum;
+}
+
+
 void Foam::subsurfaceFlow::addMoved
 (
     const stepVolumes& volumes,
@@ -348,13 +375,8 @@ void Foam::subsurfaceFlow::addMoved
     scalar& total
 ) const
 {
-    const scalarField& V = mesh_.V();
-
     changed += changedStorage();
-    forAll(cellStates_, celli)
-    {
-        total += V[celli]*mag(cellStates_[celli].storage);
-    }
+    total += storageMagnitude();
 
     for (const polyPatch& patch : mesh_.boundaryMesh())
     {
@@ -391,15 +413,7 @@ Foam::scalar Foam::subsurfaceFlow::storage() const
 
 Foam::scalar Foam::subsurfaceFlow::storageScale() const
 {
-    const scalarField& V = mesh_.V();
-    scalar sum = 0;
-
-    forAll(cellStates_, celli)
-    {
-        sum += V[celli]*mag(cellStates_[celli].storage);
-    }
-
-    return returnReduce(sum, sumOp<scalar>());
+    return returnReduce(storageMagnitude(), sumOp<scalar>());
 }
 
 

@@ -104,8 +104,30 @@ Foam::scalar& Foam::subsurfaceFlow::pondRateOld(const label facei)
 }
 
 
+void Foam::subsurfaceFlow::initialiseFluxes()
+{
+    if (pointHistory_ && pointHistory_->read())
+    {
+        pointHistory_->get(pointFlux_);
+    }
+    if (obliqueHistory_ && obliqueHistory_->read())
+    {
+        obliqueHistory_->get(correction_.correction());
+    }
+}
+
+
 void Foam::subsurfaceFlow::endStep(const scalar dt)
 {
+    if (pointHistory_)
+    {
+        pointHistory_->keep(pointFlux_);
+    }
+    if (obliqueHistory_)
+    {
+        obliqueHistory_->keep(correction_.correction());
+    }
+
     storageRateOld_.primitiveFieldRef() = storageRate_.primitiveField();
 
     forAll(cellStates_, celli)
