@@ -23,6 +23,7 @@ License
 #include "mpmG2P.H"
 #include "mpmGridUpdate.H"
 #include "mpmMoveBatch.H"
+#include "mpmPrefetch.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -156,6 +157,13 @@ void mpm::gatherAPIC
     for (std::size_t i = 0; i < n; i += Batch::size)
     {
         batch.take(cloud.x, state.grid, block, list + i, n - i);
+        prefetchAhead
+        (
+            batch.point[0],
+            cloud.x, cloud.v, cloud.displacement, cloud.C, cloud.sigma,
+            cloud.mass, cloud.volume, cloud.cohesion, cloud.plasticStrain,
+            cloud.law, cloud.yielding
+        );
         for (int l = 0; l < Batch::size; ++l)
         {
             received(batch, l, patch + batch.node[l], perMoment, sums[l]);

@@ -22,6 +22,7 @@ License
 
 #include "mpmNode.H"
 #include "mpmP2G.H"
+#include "mpmPrefetch.H"
 #include "mpmShapeBatch.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -201,6 +202,11 @@ void mpm::scatterAPIC
     for (std::size_t i = 0; i < n; i += batch.size)
     {
         batch.take(cloud.x, grid, block, block.points.data() + i, n - i);
+        prefetchAhead
+        (
+            batch.point[0],
+            cloud.x, cloud.v, cloud.C, cloud.sigma, cloud.mass, cloud.volume
+        );
         for (int l = 0; l < batch.count; ++l)
         {
             add
