@@ -36,6 +36,33 @@ typedef ShapeBatch<2, QuadraticBSpline> Batch2;
 typedef ShapeBatch<3, QuadraticBSpline> Batch3;
 
 
+//- Sums of weight x value, and of weight x distance from the first one x value,
+//  over three places in a row
+class Sums
+{
+public:
+
+    Node value;
+    Node moment;
+
+    Sums
+    (
+        const Node& w0,
+        const Node& w1,
+        const Node& w2,
+        const Node& a,
+        const Node& b,
+        const Node& c
+    )
+    {
+        const Node last = w2*c;
+        const Node both = w1*b + last;
+        value = w0*a + both;
+        moment = both + last;
+    }
+};
+
+
 //- Sums of weight x velocity, and of weight x distance (cells) x velocity for
 //  each direction over the second moment of the weights
 inline void received
@@ -47,23 +74,30 @@ inline void received
     Node* sums
 )
 {
-    Node v{}, vx{}, vy{};
-    for (int y = 0; y < 3; ++y)
+    constexpr int edge = Batch2::patchEdge;
+    const auto weight = [&batch, l](const int d, const int i)
     {
-        Node row{}, rowX{};
-        for (int x = 0; x < 3; ++x)
-        {
-            row += all(batch.w[0][x][l])*source[x];
-            rowX += all(batch.wd[0][x][l])*source[x];
-        }
-        v += all(batch.w[1][y][l])*row;
-        vx += all(batch.w[1][y][l])*rowX;
-        vy += all(batch.wd[1][y][l])*row;
-        source += Batch2::patchEdge;
-    }
-    sums[0] = v;
-    sums[1] = all(perMoment)*vx;
-    sums[2] = all(perMoment)*vy;
+        return all(batch.w[d][i][l]);
+    };
+    const Node w0 = weight(0, 0), w1 = weight(0, 1), w2 = weight(0, 2);
+    const Node v0 = weight(1, 0), v1 = weight(1, 1), v2 = weight(1, 2);
+
+    const auto row = [&](const Node* s)
+    {
+        return Sums(w0, w1, w2, s[0], s[1], s[2]);
+    };
+    const Sums a = row(source);
+    const Sums b = row(source + edge);
+    const Sums c = row(source + 2*edge);
+
+    const Sums y(v0, v1, v2, a.value, b.value, c.value);
+    const Node x = v0*a.moment + v1*b.moment + v2*c.moment;
+
+    // Distances from the point instead of the lowest node
+    const Node scale = all(perMoment);
+    sums[0] = y.value;
+    sums[1] = scale*(x - all(batch.f[0][l])*y.value);
+    sums[2] = scale*(y.moment - all(batch.f[1][l])*y.value);
 }
 
 
@@ -77,34 +111,41 @@ inline void received
 )
 {
     constexpr int edge = Batch3::patchEdge;
+    const auto weight = [&batch, l](const int d, const int i)
+    {
+        return all(batch.w[d][i][l]);
+    };
+    const Node w0 = weight(0, 0), w1 = weight(0, 1), w2 = weight(0, 2);
 
-    Node v{}, vx{}, vy{}, vz{};
+    Node plane[3], planeX[3], planeY[3];
     for (int z = 0; z < 3; ++z)
     {
-        Node plane{}, planeX{}, planeY{};
-        for (int y = 0; y < 3; ++y)
+        const auto row = [&](const Node* s)
         {
-            const Node* s = source + edge*y;
-            Node row{}, rowX{};
-            for (int x = 0; x < 3; ++x)
-            {
-                row += all(batch.w[0][x][l])*s[x];
-                rowX += all(batch.wd[0][x][l])*s[x];
-            }
-            plane += all(batch.w[1][y][l])*row;
-            planeX += all(batch.w[1][y][l])*rowX;
-            planeY += all(batch.wd[1][y][l])*row;
-        }
-        v += all(batch.w[2][z][l])*plane;
-        vx += all(batch.w[2][z][l])*planeX;
-        vy += all(batch.w[2][z][l])*planeY;
-        vz += all(batch.wd[2][z][l])*plane;
+            return Sums(w0, w1, w2, s[0], s[1], s[2]);
+        };
+        const Sums a = row(source);
+        const Sums b = row(source + edge);
+        const Sums c = row(source + 2*edge);
+
+        const Node v0 = weight(1, 0), v1 = weight(1, 1), v2 = weight(1, 2);
+        const Sums y(v0, v1, v2, a.value, b.value, c.value);
+        plane[z] = y.value;
+        planeX[z] = v0*a.moment + v1*b.moment + v2*c.moment;
+        planeY[z] = y.moment;
         source += edge*edge;
     }
-    sums[0] = v;
-    sums[1] = all(perMoment)*vx;
-    sums[2] = all(perMoment)*vy;
-    sums[3] = all(perMoment)*vz;
+
+    const Node u0 = weight(2, 0), u1 = weight(2, 1), u2 = weight(2, 2);
+    const Sums z(u0, u1, u2, plane[0], plane[1], plane[2]);
+    const Node x = u0*planeX[0] + u1*planeX[1] + u2*planeX[2];
+    const Node y = u0*planeY[0] + u1*planeY[1] + u2*planeY[2];
+
+    const Node scale = all(perMoment);
+    sums[0] = z.value;
+    sums[1] = scale*(x - all(batch.f[0][l])*z.value);
+    sums[2] = scale*(y - all(batch.f[1][l])*z.value);
+    sums[3] = scale*(z.moment - all(batch.f[2][l])*z.value);
 }
 
 } // End anonymous namespace

@@ -113,6 +113,26 @@ typedef ShapeBatch<2, QuadraticBSpline> Batch2;
 typedef ShapeBatch<3, QuadraticBSpline> Batch3;
 
 
+//- What a point sends to the three nodes of a row: the values there for the
+//  first one, and by how much they change from node to node
+inline void addRow
+(
+    const Node& first,
+    const Node& change,
+    const Node& w0,
+    const Node& w1,
+    const Node& w2,
+    Node* row
+)
+{
+    const Node second = first + change;
+    row[0] += w0*first;
+    row[1] += w1*second;
+    row[2] += w2*(second + change);
+}
+
+
+//- To the nodes of a point, from the lowest one on
 inline void add
 (
     const Batch2& batch,
@@ -121,19 +141,17 @@ inline void add
     Node* target
 )
 {
+    const Node w0 = all(batch.w[0][0][l]);
+    const Node w1 = all(batch.w[0][1][l]);
+    const Node w2 = all(batch.w[0][2][l]);
+
+    Node value =
+        q.value - all(batch.f[0][l])*q.slope[0] - all(batch.f[1][l])*q.slope[1];
     for (int y = 0; y < 3; ++y)
     {
-        const Node row =
-            all(batch.w[1][y][l])*q.value
-          + all(batch.wd[1][y][l])*q.slope[1];
-        const Node slope = all(batch.w[1][y][l])*q.slope[0];
-        for (int x = 0; x < 3; ++x)
-        {
-            Node t = target[x];
-            t += all(batch.w[0][x][l])*row;
-            t += all(batch.wd[0][x][l])*slope;
-            target[x] = t;
-        }
+        const Node w = all(batch.w[1][y][l]);
+        addRow(w*value, w*q.slope[0], w0, w1, w2, target);
+        value += q.slope[1];
         target += Batch2::patchEdge;
     }
 }
@@ -149,26 +167,28 @@ inline void add
 {
     constexpr int edge = Batch3::patchEdge;
 
+    const Node w0 = all(batch.w[0][0][l]);
+    const Node w1 = all(batch.w[0][1][l]);
+    const Node w2 = all(batch.w[0][2][l]);
+
+    Node value =
+        q.value
+      - all(batch.f[0][l])*q.slope[0]
+      - all(batch.f[1][l])*q.slope[1]
+      - all(batch.f[2][l])*q.slope[2];
     for (int z = 0; z < 3; ++z)
     {
         const Node wz = all(batch.w[2][z][l]);
-        const Node plane = wz*q.value + all(batch.wd[2][z][l])*q.slope[2];
         const Node slopeX = wz*q.slope[0];
         const Node slopeY = wz*q.slope[1];
+        Node plane = wz*value;
         for (int y = 0; y < 3; ++y)
         {
-            const Node wy = all(batch.w[1][y][l]);
-            const Node row = wy*plane + all(batch.wd[1][y][l])*slopeY;
-            const Node slope = wy*slopeX;
-            Node* line = target + edge*y;
-            for (int x = 0; x < 3; ++x)
-            {
-                Node t = line[x];
-                t += all(batch.w[0][x][l])*row;
-                t += all(batch.wd[0][x][l])*slope;
-                line[x] = t;
-            }
+            const Node w = all(batch.w[1][y][l]);
+            addRow(w*plane, w*slopeX, w0, w1, w2, target + edge*y);
+            plane += slopeY;
         }
+        value += q.slope[2];
         target += edge*edge;
     }
 }

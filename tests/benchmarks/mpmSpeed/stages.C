@@ -239,14 +239,15 @@ stages stages::measure
 
 double stages::flopsOfPoint(const int dim, const double yieldingFraction)
 {
-    // Weights and their products with distances, twice; what a point sends;
-    // the nodes: a vector of four numbers each; strain, rotation, elasticity
-    // and the look at the surface; the move
+    // Weights, twice; what a point sends; the nodes: a vector of four numbers
+    // each, 11 operations for a row of them that is sent to, 6 for one that is
+    // read; strain, rotation, elasticity and the look at the surface; the move
     const bool plane = dim == 2;
-    const double weights = 2*dim*17;
+    const double weights = 2*dim*11;
     const double sent = plane ? 24 : 40;
-    const double toNodes = 4*(plane ? 3*4 + 9*4 : 3*6 + 9*4 + 27*4);
-    const double fromNodes = 4*(plane ? 9*4 + 3*6 + 2 : 27*4 + 9*6 + 3*8 + 3);
+    const double toNodes = 4*(plane ? 4 + 3*11 : 6 + 3*4 + 9*11);
+    const double fromNodes =
+        4*(plane ? 3*6 + 6 + 5 + 2*3 : 9*6 + 3*(6 + 5) + 6 + 2*5 + 3*3);
     const double elastic = plane ? 75 : 165;
     const double yields = plane ? 105 : 215;
     const double move = plane ? 16 : 24;
