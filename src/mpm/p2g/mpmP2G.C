@@ -52,23 +52,22 @@ inline Sent<2> sent
     const double impulse
 )
 {
-    const double m = cloud.mass[p];
-    const Node hm = all(h*m);
-    const Node k = all(impulse*cloud.volume[p]);
+    const Node m = all(cloud.mass[p]);
+    const Node V = all(cloud.volume[p]);
 
     // Both columns at once: sigma is xx yy zz xy
     const Node sigma = four(cloud.sigma[p].data());
     const Node slopes =
-        hm*four(cloud.C[p].data())
-      - k*__builtin_shuffle(sigma, Pick{0, 3, 3, 1});
+        m*(all(h)*four(cloud.C[p].data()))
+      - V*(all(impulse)*__builtin_shuffle(sigma, Pick{0, 3, 3, 1}));
 
     const Node none{};
     return
     {
-        all(m)*(nodeOf(cloud.v[p]) + Node{0, 0, 0, 1}),
+        m*(nodeOf(cloud.v[p]) + Node{0, 0, 0, 1}),
         {
-            __builtin_shuffle(slopes, none, Pick{0, 1, 4, 4}),
-            __builtin_shuffle(slopes, none, Pick{2, 3, 4, 4})
+            __builtin_shuffle(slopes, none, Pick{0, 1, 4, 5}),
+            __builtin_shuffle(slopes, none, Pick{2, 3, 4, 5})
         }
     };
 }
@@ -82,11 +81,10 @@ inline Sent<3> sent
     const double impulse
 )
 {
-    const double m = cloud.mass[p];
-    const double a = h*m;
-    const double b = impulse*cloud.volume[p];
-    const Node hm{a, a, a, 0};
-    const Node k{b, b, b, 0};
+    const Node m = all(cloud.mass[p]);
+    const Node V = all(cloud.volume[p]);
+    const Node hm = m*Node{h, h, h, 0};
+    const Node k = V*Node{impulse, impulse, impulse, 0};
 
     // sigma is xx yy zz xy yz zx
     const double* C = cloud.C[p].data();
@@ -96,7 +94,7 @@ inline Sent<3> sent
 
     return
     {
-        all(m)*(nodeOf(cloud.v[p]) + Node{0, 0, 0, 1}),
+        m*(nodeOf(cloud.v[p]) + Node{0, 0, 0, 1}),
         {
             hm*four(C)
           - k*__builtin_shuffle(first, last, Pick{0, 3, 7, 7}),
