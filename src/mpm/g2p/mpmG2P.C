@@ -63,8 +63,44 @@ public:
 };
 
 
+//- The same over the three rows of three nodes of a plane, from the lowest node
+//  on: sums, and first moments along x and y
+class PlaneSums
+{
+public:
+
+    Node value;
+    Node x;
+    Node y;
+
+    template<class Batch>
+    PlaneSums(const Batch& batch, const int l, const Node* source)
+    {
+        const Node w0 = all(batch.w[0][0][l]);
+        const Node w1 = all(batch.w[0][1][l]);
+        const Node w2 = all(batch.w[0][2][l]);
+        const auto row = [&](const Node* s)
+        {
+            return Sums(w0, w1, w2, s[0], s[1], s[2]);
+        };
+        const Sums a = row(source);
+        const Sums b = row(source + Batch::patchEdge);
+        const Sums c = row(source + 2*Batch::patchEdge);
+
+        const Node v0 = all(batch.w[1][0][l]);
+        const Node v1 = all(batch.w[1][1][l]);
+        const Node v2 = all(batch.w[1][2][l]);
+        const Sums rows(v0, v1, v2, a.value, b.value, c.value);
+        value = rows.value;
+        x = v0*a.moment + v1*b.moment + v2*c.moment;
+        y = rows.moment;
+    }
+};
+
+
 //- Sums of weight x velocity, and of weight x distance (cells) x velocity for
-//  each direction over the second moment of the weights
+//  each direction over the second moment of the weights. Distances are those
+//  from the point
 inline void received
 (
     const Batch2& batch,
@@ -74,30 +110,12 @@ inline void received
     Node* sums
 )
 {
-    constexpr int edge = Batch2::patchEdge;
-    const auto weight = [&batch, l](const int d, const int i)
-    {
-        return all(batch.w[d][i][l]);
-    };
-    const Node w0 = weight(0, 0), w1 = weight(0, 1), w2 = weight(0, 2);
-    const Node v0 = weight(1, 0), v1 = weight(1, 1), v2 = weight(1, 2);
+    const PlaneSums plane(batch, l, source);
 
-    const auto row = [&](const Node* s)
-    {
-        return Sums(w0, w1, w2, s[0], s[1], s[2]);
-    };
-    const Sums a = row(source);
-    const Sums b = row(source + edge);
-    const Sums c = row(source + 2*edge);
-
-    const Sums y(v0, v1, v2, a.value, b.value, c.value);
-    const Node x = v0*a.moment + v1*b.moment + v2*c.moment;
-
-    // Distances from the point instead of the lowest node
     const Node scale = all(perMoment);
-    sums[0] = y.value;
-    sums[1] = scale*(x - all(batch.f[0][l])*y.value);
-    sums[2] = scale*(y.moment - all(batch.f[1][l])*y.value);
+    sums[0] = plane.value;
+    sums[1] = scale*(plane.x - all(batch.f[0][l])*plane.value);
+    sums[2] = scale*(plane.y - all(batch.f[1][l])*plane.value);
 }
 
 
@@ -110,36 +128,17 @@ inline void received
     Node* sums
 )
 {
-    constexpr int edge = Batch3::patchEdge;
-    const auto weight = [&batch, l](const int d, const int i)
-    {
-        return all(batch.w[d][i][l]);
-    };
-    const Node w0 = weight(0, 0), w1 = weight(0, 1), w2 = weight(0, 2);
+    constexpr int layer = Batch3::patchEdge*Batch3::patchEdge;
+    const PlaneSums a(batch, l, source);
+    const PlaneSums b(batch, l, source + layer);
+    const PlaneSums c(batch, l, source + 2*layer);
 
-    Node plane[3], planeX[3], planeY[3];
-    for (int z = 0; z < 3; ++z)
-    {
-        const auto row = [&](const Node* s)
-        {
-            return Sums(w0, w1, w2, s[0], s[1], s[2]);
-        };
-        const Sums a = row(source);
-        const Sums b = row(source + edge);
-        const Sums c = row(source + 2*edge);
-
-        const Node v0 = weight(1, 0), v1 = weight(1, 1), v2 = weight(1, 2);
-        const Sums y(v0, v1, v2, a.value, b.value, c.value);
-        plane[z] = y.value;
-        planeX[z] = v0*a.moment + v1*b.moment + v2*c.moment;
-        planeY[z] = y.moment;
-        source += edge*edge;
-    }
-
-    const Node u0 = weight(2, 0), u1 = weight(2, 1), u2 = weight(2, 2);
-    const Sums z(u0, u1, u2, plane[0], plane[1], plane[2]);
-    const Node x = u0*planeX[0] + u1*planeX[1] + u2*planeX[2];
-    const Node y = u0*planeY[0] + u1*planeY[1] + u2*planeY[2];
+    const Node w0 = all(batch.w[2][0][l]);
+    const Node w1 = all(batch.w[2][1][l]);
+    const Node w2 = all(batch.w[2][2][l]);
+    const Sums z(w0, w1, w2, a.value, b.value, c.value);
+    const Node x = w0*a.x + w1*b.x + w2*c.x;
+    const Node y = w0*a.y + w1*b.y + w2*c.y;
 
     const Node scale = all(perMoment);
     sums[0] = z.value;

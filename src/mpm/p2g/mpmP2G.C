@@ -130,6 +130,32 @@ inline void addRow
 }
 
 
+//- The same for the three rows of three nodes of a plane, from the lowest node
+//  on: its value and the changes along x and y
+template<class Batch>
+inline void addPlane
+(
+    const Batch& batch,
+    const int l,
+    Node value,
+    const Node& alongX,
+    const Node& alongY,
+    Node* target
+)
+{
+    const Node w0 = all(batch.w[0][0][l]);
+    const Node w1 = all(batch.w[0][1][l]);
+    const Node w2 = all(batch.w[0][2][l]);
+    for (int y = 0; y < 3; ++y)
+    {
+        const Node w = all(batch.w[1][y][l]);
+        addRow(w*value, w*alongX, w0, w1, w2, target);
+        value += alongY;
+        target += Batch::patchEdge;
+    }
+}
+
+
 //- To the nodes of a point, from the lowest one on
 inline void add
 (
@@ -139,19 +165,9 @@ inline void add
     Node* target
 )
 {
-    const Node w0 = all(batch.w[0][0][l]);
-    const Node w1 = all(batch.w[0][1][l]);
-    const Node w2 = all(batch.w[0][2][l]);
-
-    Node value =
+    const Node value =
         q.value - all(batch.f[0][l])*q.slope[0] - all(batch.f[1][l])*q.slope[1];
-    for (int y = 0; y < 3; ++y)
-    {
-        const Node w = all(batch.w[1][y][l]);
-        addRow(w*value, w*q.slope[0], w0, w1, w2, target);
-        value += q.slope[1];
-        target += Batch2::patchEdge;
-    }
+    addPlane(batch, l, value, q.slope[0], q.slope[1], target);
 }
 
 
@@ -163,12 +179,6 @@ inline void add
     Node* target
 )
 {
-    constexpr int edge = Batch3::patchEdge;
-
-    const Node w0 = all(batch.w[0][0][l]);
-    const Node w1 = all(batch.w[0][1][l]);
-    const Node w2 = all(batch.w[0][2][l]);
-
     Node value =
         q.value
       - all(batch.f[0][l])*q.slope[0]
@@ -176,18 +186,10 @@ inline void add
       - all(batch.f[2][l])*q.slope[2];
     for (int z = 0; z < 3; ++z)
     {
-        const Node wz = all(batch.w[2][z][l]);
-        const Node slopeX = wz*q.slope[0];
-        const Node slopeY = wz*q.slope[1];
-        Node plane = wz*value;
-        for (int y = 0; y < 3; ++y)
-        {
-            const Node w = all(batch.w[1][y][l]);
-            addRow(w*plane, w*slopeX, w0, w1, w2, target + edge*y);
-            plane += slopeY;
-        }
+        const Node w = all(batch.w[2][z][l]);
+        addPlane(batch, l, w*value, w*q.slope[0], w*q.slope[1], target);
         value += q.slope[2];
-        target += edge*edge;
+        target += Batch3::patchEdge*Batch3::patchEdge;
     }
 }
 

@@ -266,10 +266,7 @@ mpm::Lanes mpm::StressUpdate<Dim>::updateNeoHookean
     const Lanes mass = gather(p, cloud.mass);
     store(b, p, n, cloud.leftCauchyGreen);
     store(neoHookeanStress(b, law.lanes.moduli), p, n, cloud.sigma);
-    for (int l = 0; l < n; ++l)
-    {
-        cloud.volume[p[l]] = volume[l];
-    }
+    scatter(volume, p, n, cloud.volume);
 
     return neoHookeanStiffness(b, law.lanes.moduli)*volume/mass;
 }
